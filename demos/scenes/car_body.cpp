@@ -255,13 +255,9 @@ void addUnderbody(const CarBody& body, SheetMetal& metal) {
     const double radius[] = {5, 4, 4, 6};
     for (int i = 0; i < 4; ++i) {
         const double y = 228 + 14 * i, z = 205;
-        const Spine line = Spine::through({{1000, 215.0 + 10 * i, 380},
-                                           {1150, y, z},
-                                           {1700, y, z},
-                                           {1780, y + 12, z - 8},
-                                           {2340, y + 12, z - 8},
-                                           {2420, y + 30, z - 20}},
-                                          40);
+        const Line rail{{1000, 215.0 + 10 * i, 380}, {1150, y, z},          {1700, y, z},
+                        {1780, y + 12, z - 8},       {2340, y + 12, z - 8}, {2420, y + 30, z - 20}};
+        const Spine line = Spine::through(rail, 40);
         metal.beam("line_" + std::to_string(i + 1), line,
                    fullSection(circle(Vector2::Zero(), radius[i], 3 * metal.detail().segmentsPerQuarter)));
     }

@@ -47,6 +47,13 @@ void addFloor(const CarBody& body, SheetMetal& metal, Random& random);
 void addUnderbody(const CarBody& body, SheetMetal& metal);
 void addSides(const CarBody& body, SheetMetal& metal, Random& random);
 void addRear(const CarBody& body, SheetMetal& metal, Random& random);
+void addDash(const CarBody& body, SheetMetal& metal, Random& random);
+/// Adds the pads of the instrument carrier.
+void addMountings(const CarBody& body, SheetMetal& metal);
+/// Adds wheel houses, bonnet and front end.
+void addFrontEnd(const CarBody& body, SheetMetal& metal, Random& random);
+/// Adds seats, springs and brakes, exhaust and tank, steering, bolts and lines.
+void addFittings(const CarBody& body, SheetMetal& metal, Random& random);
 void addFloorStuds(const CarBody& body, SheetMetal& metal, int studs);
 
 }  // namespace clearway::scenes

@@ -1,4 +1,5 @@
-#include "demos/scenes/car_fittings.h"
+// The front of the car body, and the fittings of the body.
+#include "demos/scenes/car_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ void Fittings::addBoltRow(const Vector3& from, const Vector3& to, const Vector3&
     const int bolts = std::max(2, metal.detail().count(number));
     for (int i = 0; i < bolts; ++i) {
         const Vector3 at = from + (to - from) * ((i + 0.5) / bolts);
-        metal.part("bolt", placed(bolt(shape, turn()), standingAt(at, axis, random.between(0, M_PI))));
+        metal.part("bolt", bolt(shape, turn()), at, axis, random.between(0, M_PI));
     }
 }
 
@@ -167,11 +168,9 @@ void Fittings::addSuspension(const Vector3& wheel) {
         filleted({{40, 0}, {130, 0}, {130, 9}, {70, 9}, {62, 34}, {40, 34}}, {1, 1, 3, 3}, quarter());
     Polyline closed{{40, 0}};
     closed.insert(closed.end(), disc.begin() + 1, disc.end());
-    metal.part("brake_disc",
-               placed(ring(closed, 2 * turn()), standingAt(wheel + Vector3(0, -36, 0), -Vector3::UnitY())));
-    metal.part("hub",
-               placed(turned(filleted({{0, 0}, {34, 0}, {34, 30}, {0, 30}}, {3, 5}, quarter()), turn()),
-                      standingAt(wheel + Vector3(0, -50, 0), Vector3::UnitY())));
+    metal.part("brake_disc", ring(closed, 2 * turn()), wheel + Vector3(0, -36, 0), -Vector3::UnitY());
+    metal.part("hub", turned(filleted({{0, 0}, {34, 0}, {34, 30}, {0, 30}}, {3, 5}, quarter()), turn()),
+               wheel + Vector3(0, -50, 0), Vector3::UnitY());
     metal.part("caliper",
                roundedBox(wheel + Vector3(80, -60, -50), wheel + Vector3(150, -47, 50), 12, 4, quarter()));
     metal.part("lower_arm", rod(smooth({wheel + Vector3(0, -100, -60), wheel + Vector3(10, -130, -74),
@@ -185,10 +184,10 @@ void Fittings::addExhaust() {
     metal.part("exhaust_pipe",
                pipe(bent({{1000, 30, 250}, {1150, 20, z}, {1500, 0, z}}, 120, quarter()), 27, 2, turn()));
     metal.part("silencer_front",
-               placed(turned(filleted({{0, 0}, {30, 0}, {62, 18}, {62, 330}, {30, 350}, {0, 350}},
-                                      {4, 14, 14, 4}, quarter()),
-                             2 * turn()),
-                      standingAt({1510, 0, z}, Vector3::UnitX())));
+               turned(filleted({{0, 0}, {30, 0}, {62, 18}, {62, 330}, {30, 350}, {0, 350}}, {4, 14, 14, 4},
+                               quarter()),
+                      2 * turn()),
+               {1510, 0, z}, Vector3::UnitX());
     metal.part(
         "exhaust_pipe",
         pipe(bent({{1868, 0, z}, {2200, 0, z - 8}, {2420, 20, z - 20}, {2700, 60, 290}, {2990, 100, 180}},
@@ -205,15 +204,14 @@ void Fittings::addExhaust() {
 
 void Fittings::addSteering() {
     const Vector3 hub(1395, -340, 770), axis = Vector3(0.92, 0, 0.38).normalized();
-    metal.part("steering_wheel",
-               placed(ring(circle({178, 0}, 14, turn()), 3 * turn()), standingAt(hub, axis)));
+    metal.part("steering_wheel", ring(circle({178, 0}, 14, turn()), 3 * turn()), hub, axis);
     for (int i = 0; i < 3; ++i) {
         const Placement there = standingAt(hub, axis, 2 * M_PI * i / 3);
         metal.part("steering_spoke", rod({there({40, 0, -6}), there({163, 0, 0})}, 8, turn()));
     }
     metal.part("steering_boss",
-               placed(turned(filleted({{0, -30}, {36, -30}, {40, 8}, {0, 16}}, {6, 10}, quarter()), turn()),
-                      standingAt(hub, axis)));
+               turned(filleted({{0, -30}, {36, -30}, {40, 8}, {0, 16}}, {6, 10}, quarter()), turn()), hub,
+               axis);
 }
 
 /// A harness along each sill.

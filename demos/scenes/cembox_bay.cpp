@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/scenes/cembox_body.h"
-#include "demos/scenes/cembox_engine.h"
-#include "demos/scenes/cembox_equipment.h"
-
 namespace clearway::scenes {
 
 namespace {
@@ -271,12 +267,12 @@ void Bay::addBolt(const Vector3& at, const Vector3& axis, double shank) {
     shape.head = 1.7 * shank;
     shape.height = 1.4 * shank;
     const Vector3 up = axis.normalized();
-    addNumbered("bolt", placed(bolt(shape, segmentsFor(2 * shank)),
-                               standingAt(at + up * (washer + kSlit), axis, random.between(0, M_PI))));
+    addNumbered("bolt", bolt(shape, segmentsFor(2 * shank)), at + up * (washer + kSlit), axis,
+                random.between(0, M_PI));
     if (detail.richness < kWithWashers) return;
     const Polyline section{
         {1.15 * shank, 0}, {2.6 * shank, 0}, {2.6 * shank, washer}, {1.15 * shank, washer}};
-    addNumbered("washer", placed(turnedRing(section), standingAt(at, axis)));
+    addNumbered("washer", turnedRing(section), at, axis);
 }
 
 void Bay::addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank,

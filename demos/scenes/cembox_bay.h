@@ -60,6 +60,16 @@ struct Bay {
     void add(const std::string& name, const Piece& piece);
     void addNumbered(const std::string& stem, const Piece& piece);
 
+    /// Adds the piece with its origin at `at` and its z along `axis`, as standingAt() says.
+    void add(const std::string& name, const Piece& piece, const Vector3& at, const Vector3& axis,
+             double turn = 0) {
+        add(name, placed(piece, standingAt(at, axis, turn)));
+    }
+    void addNumbered(const std::string& stem, const Piece& piece, const Vector3& at, const Vector3& axis,
+                     double turn = 0) {
+        addNumbered(stem, placed(piece, standingAt(at, axis, turn)));
+    }
+
     Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const;
     /// Segments of a circle of that radius (mm), a multiple of 4, and of a quarter of a rounding. Chords grow
     /// with the root of the radius, as with a chord tolerance. Each radius gets its next segment at another
@@ -84,6 +94,20 @@ struct Bay {
     /// A row of evenly spaced bolts from the first to the last point; the detail scales their number.
     void addBoltRow(const Vector3& from, const Vector3& to, const Vector3& axis, double shank, double number);
 };
+
+/// The sheet metal of the bay.
+void addBody(Bay& bay);
+void addWeldStuds(Bay& bay, int studs);
+/// Adds front end, chassis, insulation, wing braces, wipers.
+void addBayFittings(Bay& bay);
+/// Adds the engine with its gearbox and the devices that the belt drives.
+void addEngine(Bay& bay);
+/// Adds the radiator with its fans, in front of the engine.
+void addCooling(Bay& bay);
+/// Adds battery, air filter, fluid tanks, brakes and fuse box.
+void addAggregates(Bay& bay);
+/// Adds hoses, pipes and cables.
+void addLines(Bay& bay);
 
 /// Everything around the module, with `studs` weld studs on the bulkhead.
 Assembly buildEngineBay(const CemboxDesign& design, const KeptFree& keptFree, const Detail& detail,

@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_body.h"
+// The sheet metal of the engine bay, and the chassis below it.
+#include "demos/scenes/cembox_bay.h"
 
 #include <cmath>
 
@@ -69,29 +70,20 @@ void addInnerWing(Bay& bay, double side) {
 
 void addStrutTower(Bay& bay, double side) {
     const double top = Bay::kTowerTop, t = 2;
-    const Polyline outline = bay.rounded({{0, top - t},
-                                          {52, top - t},
-                                          {80, top - 26},
-                                          {88, 420},
-                                          {125, 380},
-                                          {127, 382},
-                                          {88 + t, 421},
-                                          {80 + t, top - 25},
-                                          {53, top},
-                                          {0, top}},
-                                         {6, 12, 14, 0, 0, 15, 13, 7});
+    const Polyline corners{{0, top - t}, {52, top - t}, {80, top - 26},     {88, 420}, {125, 380},
+                           {127, 382},   {88 + t, 421}, {80 + t, top - 25}, {53, top}, {0, top}};
+    const Polyline outline = bay.rounded(corners, {6, 12, 14, 0, 0, 15, 13, 7});
     const Vector3 foot(side * Bay::kTowerX, Bay::kTowerY, 0);
     const Vector3 lean(-0.06 * side, 0.05, 1);
-    bay.add(side > 0 ? "strut_tower_left" : "strut_tower_right",
-            placed(bay.turnedRound(outline), standingAt(foot + Vector3(35 * side, -30, 0), lean)));
+    bay.add(side > 0 ? "strut_tower_left" : "strut_tower_right", bay.turnedRound(outline),
+            foot + Vector3(35 * side, -30, 0), lean);
     const Vector3 head = foot + Vector3(0, 0, top + 3);
     for (int i = 0; i < 3; ++i) {
         const double angle = 0.4 + 2 * M_PI * i / 3;
         bay.addBolt(head + 34 * Vector3(std::cos(angle), std::sin(angle), 0), lean, 4);
     }
     const Polyline bearing = bay.rounded({{0, 0}, {24, 0}, {24, 5}, {9, 9}, {9, 22}, {0, 22}}, {2, 3, 2, 3});
-    bay.add(side > 0 ? "strut_bearing_left" : "strut_bearing_right",
-            placed(bay.turnedRound(bearing), standingAt(head, lean)));
+    bay.add(side > 0 ? "strut_bearing_left" : "strut_bearing_right", bay.turnedRound(bearing), head, lean);
 }
 
 /// A hollow side member with rounded edges.
@@ -195,8 +187,7 @@ void addFrontEnd(Bay& bay) {
     for (const double side : {1.0, -1.0}) {
         const Polyline horn =
             bay.rounded({{0, 0}, {38, 0}, {42, 8}, {42, 20}, {30, 26}, {12, 40}, {0, 40}}, {3, 3, 4, 5, 5});
-        bay.addNumbered("horn",
-                        placed(bay.turnedRound(horn), standingAt({side * 420, 46, 330}, -Vector3::UnitY())));
+        bay.addNumbered("horn", bay.turnedRound(horn), {side * 420, 46, 330}, -Vector3::UnitY());
         const Section can = hollowBeam(bay, 30, 40, 2);
         bay.addNumbered("crash_can",
                         placed(sweep(can, {0.0, 35.0, 70.0}),
@@ -207,13 +198,9 @@ void addFrontEnd(Bay& bay) {
 
 /// The chassis below the engine: a frame, the steering with its bellows, the shafts with their boots.
 void addChassis(Bay& bay) {
-    const Line frame = bent({{-380, 660, -20},
-                             {-380, 200, -32},
-                             {-300, 120, -32},
-                             {300, 120, -32},
-                             {380, 200, -32},
-                             {380, 660, -20}},
-                            60, bay.quarterFor(60));
+    const Line corners{{-380, 660, -20}, {-380, 200, -32}, {-300, 120, -32},
+                       {300, 120, -32},  {380, 200, -32},  {380, 660, -20}};
+    const Line frame = bent(corners, 60, bay.quarterFor(60));
     bay.add("subframe", pulled(hollowBeam(bay, 34, 22, 3), frame));
     bay.add("subframe_cross", placed(sweep(hollowBeam(bay, 40, 18, 3), bay.stations(-330, 330)),
                                      [](const Vector3& p) -> Vector3 { return p + Vector3(0, 560, -22); }));
@@ -239,8 +226,7 @@ void addChassis(Bay& bay) {
     }
     const Polyline joint =
         bay.rounded({{0, 0}, {24, 0}, {24, 34}, {14, 44}, {14, 120}, {0, 120}}, {3, 6, 4, 2});
-    bay.add("steering_shaft",
-            placed(bay.turnedRound(joint), standingAt({-150, 668, 40}, Vector3(0, 0.75, 0.66))));
+    bay.add("steering_shaft", bay.turnedRound(joint), {-150, 668, 40}, Vector3(0, 0.75, 0.66));
 }
 
 /// Insulation behind the bulkhead, in two layers, with grommets in its holes.
@@ -264,9 +250,8 @@ void addInsulation(Bay& bay) {
         const double y = 858 + 22 * std::pow(opening.centre.x() / 700, 2);
         const Polyline lip = bay.rounded(
             {{radius - 12, 0}, {radius, 0}, {radius, 26}, {radius - 4, 30}, {radius - 12, 30}}, {2, 4, 3});
-        bay.addNumbered("grommet",
-                        placed(bay.turnedRing(lip),
-                               standingAt({opening.centre.x(), y, opening.centre.y()}, Vector3::UnitY())));
+        bay.addNumbered("grommet", bay.turnedRing(lip), {opening.centre.x(), y, opening.centre.y()},
+                        Vector3::UnitY());
     }
 }
 
@@ -304,12 +289,11 @@ void addWipers(Bay& bay) {
               {985, 993, 1002}});
     const Polyline motor =
         bay.rounded({{0, 0}, {30, 0}, {30, 70}, {18, 76}, {18, 96}, {0, 96}}, {4, 6, 4, 3});
-    bay.add("wiper_motor", placed(bay.turnedRound(motor), standingAt({-60, 950, 692}, Vector3::UnitX())));
+    bay.add("wiper_motor", bay.turnedRound(motor), {-60, 950, 692}, Vector3::UnitX());
     for (const double x : {-400.0, 180.0}) {
         const Polyline pivot =
             bay.rounded({{0, 0}, {14, 0}, {14, 40}, {9, 46}, {9, 62}, {0, 62}}, {2, 2, 2, 2});
-        bay.addNumbered("wiper_pivot",
-                        placed(bay.turnedRound(pivot), standingAt({x, 955, 706}, Vector3(0, -0.2, 1))));
+        bay.addNumbered("wiper_pivot", bay.turnedRound(pivot), {x, 955, 706}, Vector3(0, -0.2, 1));
         bay.addNumbered("wiper_link", bay.bar({{x, 975, 700}, {x < 0 ? -66.0 : 46.0, 988, 694}}, 6));
         bay.addNumbered(
             "wiper_arm",
@@ -336,8 +320,8 @@ void addBody(Bay& bay) {
     addCrossMember(bay, "rear_member", {690, 40}, {120, 60}, 460);
     addCrossMember(bay, "radiator_support", {62, 630}, {34, 26}, 600);
     const Polyline latch{{0, 0}, {16, 0}, {16, 30}, {9, 42}, {0, 42}};
-    bay.add("hood_latch", placed(bay.turnedRound(bay.rounded(latch, {2, 6, 3})),
-                                 standingAt({bay.random.between(-30, 30), 62, 657.5}, Vector3::UnitZ())));
+    bay.add("hood_latch", bay.turnedRound(bay.rounded(latch, {2, 6, 3})),
+            {bay.random.between(-30, 30), 62, 657.5}, Vector3::UnitZ());
 }
 
 /// Rows of domes on the flat strip of the bulkhead above its beads, out of the module's way.

@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_engine.h"
+// The engine, its gearbox and its radiator in the engine bay.
+#include "demos/scenes/cembox_bay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,8 @@ void addBoss(Bay& bay, const Vector3& at, const Vector3& axis) {
     shape.radius = bay.random.between(8, 12);
     shape.height = bay.random.between(10, 18);
     shape.foot = 3;
-    bay.addNumbered("block_boss", placed(bay.turnedRound(bossOutline(shape, bay.quarterFor(shape.radius))),
-                                         standingAt(at, axis)));
+    bay.addNumbered("block_boss", bay.turnedRound(bossOutline(shape, bay.quarterFor(shape.radius))), at,
+                    axis);
     bay.addBolt(at + axis * (shape.height + Bay::kSlit), axis, 4);
 }
 
@@ -72,14 +73,12 @@ void addCover(Bay& bay) {
         bay.addNumbered("coil_plug", plug);
     }
     const Polyline cap = bay.rounded({{0, 0}, {26, 0}, {26, 8}, {22, 8}, {22, 20}, {0, 20}}, {1, 3, 2, 5});
-    bay.add("oil_cap",
-            placed(bay.turnedRound(cap), standingAt({kRight + 60, kRear - 90, 478.5}, Vector3::UnitZ())));
-    bay.add("dipstick", bay.bar(smooth({{kRight + 130, kFront - 8, 230},
-                                        {kRight + 125, kFront - 16, 330},
-                                        {kRight + 128, kFront - 4, 420},
-                                        {kRight + 128, kFront - 2, 500}},
-                                       bay.detail.step / 2),
-                                4));
+    bay.add("oil_cap", bay.turnedRound(cap), {kRight + 60, kRear - 90, 478.5}, Vector3::UnitZ());
+    const Line dipstick{{kRight + 130, kFront - 8, 230},
+                        {kRight + 125, kFront - 16, 330},
+                        {kRight + 128, kFront - 4, 420},
+                        {kRight + 128, kFront - 2, 500}};
+    bay.add("dipstick", bay.bar(smooth(dipstick, bay.detail.step / 2), 4));
 }
 
 /// Runners from the head to a plenum behind it.
@@ -107,39 +106,33 @@ void addIntake(Bay& bay) {
             bay.wavyBar(smooth(plenum, step), 34, [](double along) { return std::min(34.0, 22 + along); }));
     const Polyline throttle =
         bay.rounded({{26, 0}, {40, 0}, {40, 8}, {32, 12}, {32, 46}, {26, 46}}, {2, 3, 3, 1});
-    bay.add("throttle_body",
-            placed(bay.turnedRing(throttle), standingAt({kLeft - 78, kRear + 36, 500}, Vector3::UnitX())));
+    bay.add("throttle_body", bay.turnedRing(throttle), {kLeft - 78, kRear + 36, 500}, Vector3::UnitX());
     bay.add("fuel_rail", bay.bar({{kRight + 40, kRear + 22, 440}, {kLeft - 60, kRear + 22, 440}}, 8));
     for (int i = 0; i < kCylinders; ++i) {
         const Polyline injector =
             bay.rounded({{0, 0}, {5, 0}, {5, 14}, {8, 18}, {8, 36}, {0, 36}}, {1, 2, 2, 2});
-        bay.addNumbered("injector",
-                        placed(bay.turnedRound(injector),
-                               standingAt({cylinderX(i) + 26, kRear + 4, 418}, Vector3(0, 0.5, 0.5))));
+        bay.addNumbered("injector", bay.turnedRound(injector), {cylinderX(i) + 26, kRear + 4, 418},
+                        Vector3(0, 0.5, 0.5));
     }
 }
 
 void addExhaust(Bay& bay) {
     for (int i = 0; i < kCylinders; ++i) {
         const double x = cylinderX(i), gather = -80 + 14 * (i - 1.5);
-        bay.addNumbered("exhaust_runner", bay.tube(smooth({{x, kFront + 2, 380},
-                                                           {x, kFront - 32, 376},
-                                                           {0.6 * x + 0.4 * gather, kFront - 62, 330},
-                                                           {gather, kFront - 66, 262}},
-                                                          bay.detail.step / 2),
-                                                   18, 2));
+        const Line points{{x, kFront + 2, 380},
+                          {x, kFront - 32, 376},
+                          {0.6 * x + 0.4 * gather, kFront - 62, 330},
+                          {gather, kFront - 66, 262}};
+        bay.addNumbered("exhaust_runner", bay.tube(smooth(points, bay.detail.step / 2), 18, 2));
         bay.addNumbered("exhaust_flange",
                         bay.box({x - 33, kFront - 8, 352}, {x + 33, kFront + 1.5, 410}, 9, 2));
         bay.addBolt({x - 27, kFront - 8.3, 359}, -Vector3::UnitY(), 3.5);
         bay.addBolt({x + 27, kFront - 8.3, 403}, -Vector3::UnitY(), 3.5);
     }
-    bay.add("exhaust_collector",
-            bay.wavyBar(smooth({{-80, kFront - 66, 268},
-                                {-80, kFront - 66, 200},
-                                {-70, kFront - 40, 120},
-                                {-66, kFront + 40, 18}},
-                               bay.detail.step / 2),
-                        46, [](double along) { return along < 60 ? 46 - along / 4 : 31; }));
+    const Line points{
+        {-80, kFront - 66, 268}, {-80, kFront - 66, 200}, {-70, kFront - 40, 120}, {-66, kFront + 40, 18}};
+    bay.add("exhaust_collector", bay.wavyBar(smooth(points, bay.detail.step / 2), 46,
+                                             [](double along) { return along < 60 ? 46 - along / 4 : 31; }));
     // The heat shield's waves run along x.
     Polyline wave;
     const int waves = std::clamp(bay.detail.count(4), 4, 14);
@@ -155,7 +148,7 @@ void addGearbox(Bay& bay) {
     const Polyline bell =
         bay.rounded({{0, 0}, {150, 0}, {150, 14}, {138, 16}, {104, 92}, {0, 92}}, {0, 4, 6, 12});
     const Vector3 axis(kLeft + 2, 372, 215);
-    bay.add("bell_housing", placed(bay.turnedRound(bell), standingAt(axis, Vector3::UnitX())));
+    bay.add("bell_housing", bay.turnedRound(bell), axis, Vector3::UnitX());
     bay.add("gearbox_case", bay.box({kLeft + 95, 290, 110}, {kLeft + 245, 455, 300}, 34, 14));
     const int ribs = bay.detail.count(6);
     for (int i = 0; i < ribs; ++i) {
@@ -164,15 +157,14 @@ void addGearbox(Bay& bay) {
         // The rib is a wedge between the bell's flange and its cone.
         Piece rib = sweepAlongZ(plate, {17, 60});
         for (std::size_t k = 4; k < 8; ++k) rib.vertices[k].x() = std::min(rib.vertices[k].x(), 122.0);
-        bay.addNumbered("bell_rib", placed(rib, standingAt(axis, Vector3::UnitX(), angle)));
+        bay.addNumbered("bell_rib", rib, axis, Vector3::UnitX(), angle);
         bay.addBolt(standingAt(axis, Vector3::UnitX(), angle + M_PI / ribs)(Vector3(142, 0, 16.5)),
                     Vector3::UnitX(), 4.5);
     }
     bay.addBoltRow({kLeft + 125, 289.5, 280}, {kLeft + 220, 289.5, 280}, -Vector3::UnitY(), 4, 3);
     const Polyline starter =
         bay.rounded({{0, 0}, {38, 0}, {38, 110}, {26, 124}, {26, 150}, {0, 150}}, {5, 3, 5, 5});
-    bay.add("starter",
-            placed(bay.turnedRound(starter), standingAt({kLeft - 10, kFront - 48, 150}, -Vector3::UnitX())));
+    bay.add("starter", bay.turnedRound(starter), {kLeft - 10, kFront - 48, 150}, -Vector3::UnitX());
 }
 
 struct Pulley {
@@ -189,16 +181,10 @@ void addDriven(Bay& bay, const Pulley& pulley) {
     const double r = pulley.radius, w = kBeltWidth / 2 + 2;
     const Vector3 at(kBeltX, pulley.centre.x(), pulley.centre.y());
     const std::string name = pulley.name;
-    const Polyline rim = bay.rounded({{0.35 * r, -w},
-                                      {r + 3, -w},
-                                      {r + 3, 2 - w},
-                                      {r, 2 - w},
-                                      {r, w - 2},
-                                      {r + 3, w - 2},
-                                      {r + 3, w},
-                                      {0.35 * r, w}},
-                                     {1, 0, 0, 0, 0, 1});
-    bay.add(name + "_pulley", placed(bay.turnedRing(rim), standingAt(at, Vector3::UnitX())));
+    const Polyline corners{{0.35 * r, -w}, {r + 3, -w},    {r + 3, 2 - w}, {r, 2 - w},
+                           {r, w - 2},     {r + 3, w - 2}, {r + 3, w},     {0.35 * r, w}};
+    const Polyline rim = bay.rounded(corners, {1, 0, 0, 0, 0, 1});
+    bay.add(name + "_pulley", bay.turnedRing(rim), at, Vector3::UnitX());
     bay.addBolt(at - Vector3(w + 1, 0, 0), -Vector3::UnitX(), 6);
     if (pulley.depth <= 0) return;
     const double body = 1.5 * r, start = w + 3;
@@ -209,12 +195,12 @@ void addDriven(Bay& bay, const Pulley& pulley) {
                                         {0.7 * body, start + pulley.depth + 12},
                                         {0, start + pulley.depth + 12}},
                                        {4, 5, 5, 4});
-    bay.add(name, placed(bay.turnedRound(house), standingAt(at, Vector3::UnitX())));
+    bay.add(name, bay.turnedRound(house), at, Vector3::UnitX());
     const int fins = bay.detail.count(5);
     for (int i = 0; i < fins; ++i) {
         const Piece fin =
             bay.box({body + 0.3, -2, start + 18}, {body + 9, 2, start + pulley.depth - 4}, 1.6, 0.6);
-        bay.addNumbered(name + "_fin", placed(fin, standingAt(at, Vector3::UnitX(), 2 * M_PI * i / fins)));
+        bay.addNumbered(name + "_fin", fin, at, Vector3::UnitX(), 2 * M_PI * i / fins);
     }
 }
 
@@ -291,18 +277,16 @@ void addFan(Bay& bay, double side) {
     const Vector3 at(side * 170, 148, 385);
     const Polyline hub = bay.rounded({{0, -22}, {42, -22}, {46, -18}, {46, 14}, {0, 20}}, {2, 3, 8});
     const std::string name = side > 0 ? "fan_left" : "fan_right";
-    bay.add(name + "_hub", placed(bay.turnedRound(hub), standingAt(at, Vector3::UnitY())));
+    bay.add(name + "_hub", bay.turnedRound(hub), at, Vector3::UnitY());
     constexpr int kBlades = 7;
     for (int i = 0; i < kBlades; ++i) {
-        bay.addNumbered(
-            name + "_blade",
-            placed(blade(bay, 47, 136), standingAt(at, Vector3::UnitY(), 2 * M_PI * i / kBlades + 0.3)));
+        bay.addNumbered(name + "_blade", blade(bay, 47, 136), at, Vector3::UnitY(),
+                        2 * M_PI * i / kBlades + 0.3);
     }
     const Polyline band{{137, -12}, {140, -12}, {140, 12}, {137, 12}};
-    bay.add(name + "_band", placed(bay.turnedRing(band), standingAt(at, Vector3::UnitY())));
+    bay.add(name + "_band", bay.turnedRing(band), at, Vector3::UnitY());
     const Polyline motor = bay.rounded({{0, 0}, {34, 0}, {34, 30}, {0, 30}}, {3, 8});
-    bay.add(name + "_motor",
-            placed(bay.turnedRound(motor), standingAt(at + Vector3(0, 21, 0), Vector3::UnitY())));
+    bay.add(name + "_motor", bay.turnedRound(motor), at + Vector3(0, 21, 0), Vector3::UnitY());
     for (int i = 0; i < 3; ++i) {
         const double angle = 0.5 + 2 * M_PI * i / 3;
         const Vector3 out(std::cos(angle), 0, std::sin(angle));
@@ -322,12 +306,10 @@ void addEngine(Bay& bay) {
     addGearbox(bay);
     addBeltDrive(bay);
     const Polyline filter = bay.rounded({{0, 0}, {30, 0}, {38, 6}, {38, 84}, {0, 84}}, {2, 3, 8});
-    bay.add("oil_filter", placed(bay.turnedRound(filter),
-                                 standingAt({kRight + 180, kFront - 2, 165}, Vector3(0, -1, -0.3))));
+    bay.add("oil_filter", bay.turnedRound(filter), {kRight + 180, kFront - 2, 165}, Vector3(0, -1, -0.3));
     for (const double x : {kRight - 95, kLeft + 260}) {
         const Polyline rubber = bay.rounded({{12, 0}, {34, 0}, {34, 46}, {12, 46}}, {4, 4});
-        bay.addNumbered("engine_mount",
-                        placed(bay.turnedRing(rubber), standingAt({x, 395, 232}, Vector3::UnitZ())));
+        bay.addNumbered("engine_mount", bay.turnedRing(rubber), {x, 395, 232}, Vector3::UnitZ());
         bay.addBolt({x, 395, 279}, Vector3::UnitZ(), 7);
     }
 }

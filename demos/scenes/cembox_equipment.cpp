@@ -1,4 +1,5 @@
-#include "demos/scenes/cembox_equipment.h"
+// The equipment around the engine, and its hoses, pipes and cables.
+#include "demos/scenes/cembox_bay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +18,17 @@ void addBattery(Bay& bay) {
     for (int i = 0; i < 2; ++i) {
         const Vector3 at(high.x() - 38, i == 0 ? low.y() + 40 : high.y() - 40, high.z() + 14.3);
         const Polyline pole = bay.rounded({{0, 0}, {9, 0}, {8, 17}, {0, 17}}, {1, 2});
-        bay.addNumbered("battery_pole", placed(bay.turnedRound(pole), standingAt(at, Vector3::UnitZ())));
+        bay.addNumbered("battery_pole", bay.turnedRound(pole), at, Vector3::UnitZ());
         const Polyline clamp{{9.6, 2}, {15, 2}, {15, 15}, {9.6, 15}};
-        bay.addNumbered("battery_clamp", placed(bay.turnedRing(clamp), standingAt(at, Vector3::UnitZ())));
+        bay.addNumbered("battery_clamp", bay.turnedRing(clamp), at, Vector3::UnitZ());
         bay.addBolt(at + Vector3(20, 0, 12), Vector3::UnitX(), 3);
     }
     const int caps = std::max(3, bay.detail.count(3));
     for (int i = 0; i < caps; ++i) {
         const double y = low.y() + 60 + (high.y() - low.y() - 120) * i / (caps - 1.0);
         const Polyline cap = bay.rounded({{0, 0}, {11, 0}, {11, 4}, {0, 4}}, {0.5, 1.5});
-        bay.addNumbered(
-            "battery_cap",
-            placed(bay.turnedRound(cap), standingAt({low.x() + 50, y, high.z() + 14.3}, Vector3::UnitZ())));
+        bay.addNumbered("battery_cap", bay.turnedRound(cap), {low.x() + 50, y, high.z() + 14.3},
+                        Vector3::UnitZ());
     }
     const double middle = 0.5 * (low.y() + high.y());
     const Polyline strap{{low.x() - 14, 240},           {low.x() - 6, 290},  {low.x() - 6, high.z() + 18},
@@ -60,13 +60,9 @@ void addAirFilter(Bay& bay) {
             {y - 8 * out, joint - 22}, {y, joint - 12}, {y, joint + 14}, {y - 9 * out, joint + 20}};
         bay.addNumbered("air_filter_clip", sweep(bay.sheet(clip, 4, 1), {x - 8, x + 8}));
     }
-    const Line duct = smooth({{288, 300, 462},
-                              {240, 330, 520},
-                              {190, 420, 560},
-                              {150, 520, 530},
-                              {144, 536, 502},
-                              {136, 536, 500}},
-                             bay.detail.step / 6);
+    const Line bends{{288, 300, 462}, {240, 330, 520}, {190, 420, 560},
+                     {150, 520, 530}, {144, 536, 502}, {136, 536, 500}};
+    const Line duct = smooth(bends, bay.detail.step / 6);
     const double wave = 14 / std::sqrt(bay.detail.richness);
     bay.add("air_duct", bay.wavyBar(duct, 36, [wave](double along) {
         return 36 + 3 * std::sin(2 * M_PI * along / wave);
@@ -86,50 +82,38 @@ void addTank(Bay& bay, const std::string& name, const Vector3& low, const Vector
     const Polyline cap = bay.rounded(
         {{0, 0}, {0.8 * capRadius, 0}, {0.8 * capRadius, 14}, {capRadius, 14}, {capRadius, 32}, {0, 34}},
         {0, 0, 1, 4});
-    bay.add(name + "_cap", placed(bay.turnedRound(cap), standingAt(neck, Vector3::UnitZ())));
+    bay.add(name + "_cap", bay.turnedRound(cap), neck, Vector3::UnitZ());
     const int grips = bay.detail.count(8);
     for (int i = 0; i < grips; ++i) {
         const Piece grip = bay.box({capRadius + 0.2, -1, 16}, {capRadius + 1.8, 1, 29}, 0.6, 0.3);
-        bay.addNumbered(name + "_grip",
-                        placed(grip, standingAt(neck, Vector3::UnitZ(), 2 * M_PI * i / grips)));
+        bay.addNumbered(name + "_grip", grip, neck, Vector3::UnitZ(), 2 * M_PI * i / grips);
     }
     bay.addBolt({high.x() + 9, neck.y(), seam}, Vector3::UnitX(), 3);
 }
 
 void addBrakes(Bay& bay) {
     const Vector3 booster(-400, 842, 520);
-    const Polyline can = bay.rounded({{0, 0},
-                                      {112, 0},
-                                      {120, 26},
-                                      {120, 40},
-                                      {125, 40},
-                                      {125, 46},
-                                      {118, 46},
-                                      {84, 92},
-                                      {30, 98},
-                                      {0, 98}},
-                                     {8, 8, 0, 1, 1, 0, 18, 8});
-    bay.add("brake_booster", placed(bay.turnedRound(can), standingAt(booster, -Vector3::UnitY())));
+    const Polyline corners{{0, 0},    {112, 0},  {120, 26}, {120, 40}, {125, 40},
+                           {125, 46}, {118, 46}, {84, 92},  {30, 98},  {0, 98}};
+    const Polyline can = bay.rounded(corners, {8, 8, 0, 1, 1, 0, 18, 8});
+    bay.add("brake_booster", bay.turnedRound(can), booster, -Vector3::UnitY());
     const Polyline master =
         bay.rounded({{0, 0}, {26, 0}, {26, 10}, {19, 12}, {19, 140}, {0, 146}}, {2, 2, 2, 5});
-    bay.add("brake_master",
-            placed(bay.turnedRound(master), standingAt(booster - Vector3(0, 98.4, 0), -Vector3::UnitY())));
+    bay.add("brake_master", bay.turnedRound(master), booster - Vector3(0, 98.4, 0), -Vector3::UnitY());
     addTank(bay, "brake_reservoir", {-438, 610, 546}, {-362, 730, 600}, 24);
     const Vector3 low(470, 440, 250), high(590, 540, 340);
     bay.add("pressure_unit", bay.box(low, high, 8, 3));
     bay.add("pressure_unit_cover", bay.box({low.x() + 6, low.y() - 34, low.z() + 8},
                                            {high.x() - 6, low.y() - Bay::kSlit, high.z() - 8}, 8, 5));
     const Polyline motor = bay.rounded({{0, 0}, {36, 0}, {36, 62}, {0, 62}}, {3, 8});
-    bay.add("pressure_unit_motor",
-            placed(bay.turnedRound(motor), standingAt({530, 540.4, 296}, Vector3::UnitY())));
+    bay.add("pressure_unit_motor", bay.turnedRound(motor), {530, 540.4, 296}, Vector3::UnitY());
     const int valves = bay.detail.count(4);
     for (int i = 0; i < valves; ++i) {
         const Polyline valve =
             bay.rounded({{0, 0}, {8, 0}, {8, 12}, {5, 16}, {5, 26}, {0, 26}}, {1, 2, 2, 1});
         const double x = low.x() + 15 + 90.0 * (i + 0.5) / valves;
-        bay.addNumbered("pressure_valve",
-                        placed(bay.turnedRound(valve),
-                               standingAt({x, low.y() + 26, high.z() + Bay::kSlit}, Vector3::UnitZ())));
+        bay.addNumbered("pressure_valve", bay.turnedRound(valve), {x, low.y() + 26, high.z() + Bay::kSlit},
+                        Vector3::UnitZ());
     }
 }
 
@@ -177,9 +161,8 @@ void addPipe(Bay& bay, const std::string& name, const Line& points, double radiu
                                       {2 * radius, 4 * radius},
                                       {radius + Bay::kSlit, 4 * radius}},
                                      {0.6, 0.6});
-    bay.addNumbered("pipe_nut", placed(ring(nut, 6), standingAt(line.front(), line[1] - line[0])));
-    bay.addNumbered("pipe_nut",
-                    placed(ring(nut, 6), standingAt(line.back(), line[line.size() - 2] - line.back())));
+    bay.addNumbered("pipe_nut", ring(nut, 6), line.front(), line[1] - line[0]);
+    bay.addNumbered("pipe_nut", ring(nut, 6), line.back(), line[line.size() - 2] - line.back());
 }
 
 /// A cable in a corrugated conduit with a plug at its end.
@@ -191,8 +174,7 @@ void addCable(Bay& bay, const std::string& stem, const Line& points, double radi
     }));
     const Vector3 end = line.back(), onward = end - line[line.size() - 2];
     const double r = 1.6 * radius;
-    bay.addNumbered("plug", placed(bay.box({-1.3 * r, -r, 0.5}, {1.3 * r, r, 5 * r}, 0.5 * r, 0.3 * r),
-                                   standingAt(end, onward)));
+    bay.addNumbered("plug", bay.box({-1.3 * r, -r, 0.5}, {1.3 * r, r, 5 * r}, 0.5 * r, 0.3 * r), end, onward);
 }
 
 void addCoolantHoses(Bay& bay) {
@@ -201,15 +183,10 @@ void addCoolantHoses(Bay& bay) {
     addHose(bay, "radiator_hose_lower",
             {{255, 118, 140}, {258, 160, 140}, {235, 205, 170}, {150, 216, 190}, {60, 236, 200}}, 19);
     for (int i = 0; i < 2; ++i) {
+        const Line hose{{x + 30, 848, 470}, {x + 28, 800, 474},         {x + 22, 690, 500 + 22.0 * i},
+                        {x - 60, 600, 470}, {100 + 30.0 * i, 540, 440}, {90 + 30.0 * i, 505, 400}};
         const double x = bay.design.place.x() + 190 + 30 * i;  // to the left of the module
-        addHose(bay, i == 0 ? "heater_hose_in" : "heater_hose_out",
-                {{x + 30, 848, 470},
-                 {x + 28, 800, 474},
-                 {x + 22, 690, 500 + 22.0 * i},
-                 {x - 60, 600, 470},
-                 {100 + 30.0 * i, 540, 440},
-                 {90 + 30.0 * i, 505, 400}},
-                11);
+        addHose(bay, i == 0 ? "heater_hose_in" : "heater_hose_out", hose, 11);
     }
     addHose(bay, "overflow_hose", {{480, 380, 540}, {440, 330, 560}, {380, 220, 590}, {340, 125, 612}}, 7);
     addHose(bay, "booster_vacuum",
@@ -220,32 +197,21 @@ void addPipes(Bay& bay) {
     const int brakes = std::clamp(bay.detail.count(5), 5, 8);
     for (int i = 0; i < brakes; ++i) {
         const double x = 480 + 13.0 * i, shift = 11.0 * i, y = 826 - 0.5 * shift;
-        addPipe(bay, "brake_pipe_" + std::to_string(i + 1),
-                {{x, 480, 342},
-                 {x, 480, 372 + shift},
-                 {x, 560 + shift, 372 + shift},
-                 {x, y, 300 - shift},
-                 {-360 + 6.0 * i, y, 300 - shift},
-                 {-400 + 9.0 * i, y, 430},
-                 {-400 + 9.0 * i, 700, 470 + 0.2 * shift}},
-                2.4, 14);
+        const Line pipe{{x, 480, 342},
+                        {x, 480, 372 + shift},
+                        {x, 560 + shift, 372 + shift},
+                        {x, y, 300 - shift},
+                        {-360 + 6.0 * i, y, 300 - shift},
+                        {-400 + 9.0 * i, y, 430},
+                        {-400 + 9.0 * i, 700, 470 + 0.2 * shift}};
+        addPipe(bay, "brake_pipe_" + std::to_string(i + 1), pipe, 2.4, 14);
     }
-    addPipe(bay, "aircon_pipe_high",
-            {{-300, 190, 205},
-             {-300, 150, 230},
-             {-300, 150, 480},
-             {-560, 180, 500},
-             {-580, 700, 520},
-             {-480, 838, 560}},
-            8, 35);
-    addPipe(bay, "aircon_pipe_low",
-            {{-300, 178, 180},
-             {-335, 140, 200},
-             {-335, 138, 510},
-             {-540, 190, 540},
-             {-545, 690, 560},
-             {-440, 838, 610}},
-            11, 40);
+    const Line high{{-300, 190, 205}, {-300, 150, 230}, {-300, 150, 480},
+                    {-560, 180, 500}, {-580, 700, 520}, {-480, 838, 560}};
+    addPipe(bay, "aircon_pipe_high", high, 8, 35);
+    const Line low{{-300, 178, 180}, {-335, 140, 200}, {-335, 138, 510},
+                   {-540, 190, 540}, {-545, 690, 560}, {-440, 838, 610}};
+    addPipe(bay, "aircon_pipe_low", low, 11, 40);
     addPipe(bay, "fuel_pipe",
             {{-290, 522, 440}, {-340, 560, 440}, {-340, 800, 400}, {-340, 838, 300}, {-340, 838, 90}}, 4, 25);
     addPipe(bay, "vapour_pipe",
@@ -262,45 +228,37 @@ void addHarness(Bay& bay) {
     bay.add("harness_trunk", bay.bar(smooth(trunk, bay.detail.step / 2), 13));
     for (std::size_t i = 1; i < trunk.size(); i += 2) {
         const Polyline tie{{13.6, -4}, {16, -4}, {16, 4}, {13.6, 4}};
-        bay.addNumbered("harness_tie",
-                        placed(bay.turnedRing(tie), standingAt(trunk[i], trunk[i + 1] - trunk[i - 1])));
+        bay.addNumbered("harness_tie", bay.turnedRing(tie), trunk[i], trunk[i + 1] - trunk[i - 1]);
     }
     const int branches = bay.detail.count(4);
     for (int i = 0; i < branches; ++i) {
         const double x = -250 + 290 * (i + bay.random.between(0.2, 0.8)) / branches,
                      end = std::clamp(0.42 * x - 70, -300.0, 130.0);
         const double radius = bay.random.between(4, 7), sag = bay.random.between(-25, 25);
-        addCable(bay, "cable",
-                 {{x, 818, z},
-                  {x - 6, 795, z + 5},
-                  {0.7 * x + 0.3 * end, 690, 570 + sag},
-                  {end, 560, 560 + sag},
-                  {end, 480, 512},
-                  {end, 440 + sag, 500}},
-                 radius);
+        const Line points{{x, 818, z},           {x - 6, 795, z + 5}, {0.7 * x + 0.3 * end, 690, 570 + sag},
+                          {end, 560, 560 + sag}, {end, 480, 512},     {end, 440 + sag, 500}};
+        addCable(bay, "cable", points, radius);
     }
     const Vector3& place = bay.design.place;
     for (int i = 0; i < 3; ++i) {
         const double x = place.x() + 204 + 26 * i;
-        addCable(bay, "module_cable",
-                 {{x, 822, z},
-                  {x + 4, 800, z + 30},
-                  {x + 2, 770, z + 60},
-                  {x - 4, 740, z + 45},
-                  {x - 6, 725, z + 5.0 * i}},
-                 9);
+        const Line points{{x, 822, z},
+                          {x + 4, 800, z + 30},
+                          {x + 2, 770, z + 60},
+                          {x - 4, 740, z + 45},
+                          {x - 6, 725, z + 5.0 * i}};
+        addCable(bay, "module_cable", points, 9);
     }
     const int sensors = bay.detail.count(2);
     for (int i = 0; i < sensors; ++i) {
         const double y = 100 + 370 * (i + bay.random.between(0.2, 0.8)) / sensors,
                      radius = bay.random.between(3.5, 5);
-        addCable(bay, "wing_cable",
-                 {{-640, y, 655},
-                  {-600, y + 10, 660},
-                  {-560, y + 40, 600},
-                  {-500, y + 60, 560},
-                  {-480, y + 64, 530}},
-                 radius);
+        const Line right{{-640, y, 655},
+                         {-600, y + 10, 660},
+                         {-560, y + 40, 600},
+                         {-500, y + 60, 560},
+                         {-480, y + 64, 530}};
+        addCable(bay, "wing_cable", right, radius);
         addCable(
             bay, "wing_cable",
             {{642, y, 652}, {610, y - 10, 660}, {590, y - 30, 610}, {520, y - 50, 560}, {505, y - 54, 540}},

@@ -193,17 +193,9 @@ void Carrier::addDucts() {
         return ringSection(roundedRectangle({-wide, -high}, {wide, high}, 10, n),
                            roundedRectangle({-wide + 1.8, -high + 1.8}, {wide - 1.8, high - 1.8}, 8.2, n));
     };
-    metal.beam("duct",
-               Spine::through({{1236, -455, 842},
-                               {1215, -455, 861},
-                               {1115, -430, 864},
-                               {1090, -200, 866},
-                               {1090, 200, 866},
-                               {1115, 430, 864},
-                               {1215, 455, 861},
-                               {1236, 455, 842}},
-                              30),
-               tube(26, 17));
+    const Line points{{1236, -455, 842}, {1215, -455, 861}, {1115, -430, 864}, {1090, -200, 866},
+                      {1090, 200, 866},  {1115, 430, 864},  {1215, 455, 861},  {1236, 455, 842}};
+    metal.beam("duct", Spine::through(points, 30), tube(26, 17));
     for (const double y : kVents) {
         const Vector3 at = skin.at(kVentAt, y) - Vector3(46, 0, 0);
         Pose start;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "demos/scenes/car_body.h"
-#include "demos/scenes/car_fittings.h"
 #include "demos/scenes/instrument_carrier.h"
 #include "demos/scenes/roof_slot.h"
 #include "demos/scenes/scenes.h"

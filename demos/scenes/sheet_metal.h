@@ -86,6 +86,11 @@ class SheetMetal {
 
     /// Adds one of many similar parts, named by `stem` and a number.
     void part(const std::string& stem, const Piece& piece);
+    /// The piece with its origin at `at` and its z along `axis`, as standingAt() says.
+    void part(const std::string& stem, const Piece& piece, const Vector3& at, const Vector3& axis,
+              double turn = 0) {
+        part(stem, placed(piece, standingAt(at, axis, turn)));
+    }
 
     /// Adds an outline turned about z (see turned), its foot at `at`, its axis along `axis`.
     void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at, const Vector3& axis);

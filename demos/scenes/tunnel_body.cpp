@@ -4,8 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "demos/scenes/tunnel_fittings.h"
-
 namespace clearway::scenes {
 
 namespace {

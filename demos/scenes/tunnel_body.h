@@ -37,6 +37,10 @@ struct TunnelBody {
     int count(double atRichnessOne) const { return metal.detail().count(atRichnessOne); }
 };
 
+/// Adds ribs, guides and mounts, the heater duct, propeller shaft and exhaust, pipes, hoses and cables,
+/// straps, brackets, bolts, weld nuts and studs.
+void addTunnelFittings(TunnelBody& body, int studs);
+
 /// Everything around the console. onlyCount: see SheetMetal.
 SheetMetal buildTunnelBody(const TunnelConsoleDesign& design, const Detail& detail, Random random, int studs,
                            bool onlyCount);

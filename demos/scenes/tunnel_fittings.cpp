@@ -1,4 +1,5 @@
-#include "demos/scenes/tunnel_fittings.h"
+// The parts that stand in the tunnel or are bolted to it.
+#include "demos/scenes/tunnel_body.h"
 
 #include <algorithm>
 #include <cmath>

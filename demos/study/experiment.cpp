@@ -1,5 +1,7 @@
 #include "demos/study/experiment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -49,10 +51,10 @@ std::string textOf(const PartState& state) {
 
 std::string durationText(double seconds) {
     const auto whole = static_cast<long long>(std::ceil(seconds));
-    if (whole < 120) return std::to_string(whole) + " s";
+    if (whole < 120) return fmt::format("{} s", whole);
     const long long minutes = (whole + 59) / 60;
-    if (minutes < 120) return std::to_string(minutes) + " min";
-    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+    if (minutes < 120) return fmt::format("{} min", minutes);
+    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
 std::string goalText(const Problem& problem) {
@@ -120,9 +122,8 @@ std::vector<EngineGroup> replayedGroups(const StudyOptions& options) {
 std::string StudyProblem::fingerprint() const {
     std::string text = keyOf(part);
     for (const ObstacleGroup& group : obstacles.groups) {
-        text += " " + keyOf(group.mesh) + " " + formatNumber(group.margin) + " " +
-                std::to_string(group.isIgnoredAtStart) + std::to_string(group.isIgnoredAtGoal) +
-                std::to_string(group.solids != nullptr);
+        text += fmt::format(" {} {} {:d}{:d}{:d}", keyOf(group.mesh), formatNumber(group.margin),
+                            group.isIgnoredAtStart, group.isIgnoredAtGoal, group.solids != nullptr);
         if (group.overlap > 0) text += " overlap " + formatNumber(group.overlap);
     }
     for (const ShrunkPart& each : shrunk) text += " " + keyOf(each.mesh);

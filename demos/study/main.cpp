@@ -1,4 +1,6 @@
 // The program clearway-study: answers one question by planner runs and replays by the hundred.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -185,7 +187,7 @@ class NumberedRuns {
     const study::PlannedRun& operator[](std::size_t run) const { return planned_[run % planned_.size()]; }
 
     std::string nameOf(std::size_t run) const {
-        return "problem " + std::to_string(run / planned_.size() + 1) + ", " + (*this)[run].name();
+        return fmt::format("problem {}, {}", run / planned_.size() + 1, (*this)[run].name());
     }
 
     /// Returns the run's number and text.
@@ -222,8 +224,8 @@ bool shareOut(study::Ranks& ranks, NumberedRuns& numbered, const study::StudyOpt
     study::TimeLeft left(runs.size(), options.seconds / ranks.count());
     const auto doRun = [&](const std::string& job) {
         const std::size_t run = std::stoul(job);
-        options.report("run " + std::to_string(left.done() + 1) + " of " + std::to_string(left.all()) + ", " +
-                       numbered.nameOf(run) + ", " + left.text() + " for all runs");
+        options.report(fmt::format("run {} of {}, {}, {} for all runs", left.done() + 1, left.all(),
+                                   numbered.nameOf(run), left.text()));
         return numbered.doRun(run);
     };
     const auto take = [&](const std::string& text) {

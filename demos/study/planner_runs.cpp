@@ -1,8 +1,10 @@
 #include "demos/study/planner_runs.h"
 
+#include <fmt/format.h>
+#include <ompl/util/Time.h>
+
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <ostream>
@@ -49,9 +51,8 @@ void requireOnce(const GrowingTable<RunRow>& runs) {
     std::set<std::decay_t<decltype(keyOf(runs.rows().front()))>> seen;
     for (const RunRow& row : runs.rows()) {
         if (seen.insert(keyOf(row)).second) continue;
-        throw std::runtime_error(runs.file() + " has the run of " + row.planner + " " + row.name() +
-                                 " seed " + std::to_string(row.seed) + " in " + row.scene +
-                                 " twice, expected once");
+        throw std::runtime_error(fmt::format("{} has the run of {} {} seed {} in {} twice, expected once",
+                                             runs.file(), row.planner, row.name(), row.seed, row.scene));
     }
 }
 
@@ -82,9 +83,8 @@ class Runner {
         TimeLeft left(planned.size(), options_.seconds);
         for (const PlannedRun& run : planned) {
             if (options_.mustStop()) return false;
-            options_.report(problem_.name + ": run " + std::to_string(left.done() + 1) + " of " +
-                            std::to_string(left.all()) + ", " + run.name() + ", " + left.text() +
-                            " for its runs");
+            options_.report(fmt::format("{}: run {} of {}, {}, {} for its runs", problem_.name,
+                                        left.done() + 1, left.all(), run.name(), left.text()));
             if (!runOnce(run)) return false;
             left.step();
         }
@@ -111,16 +111,6 @@ class Runner {
     std::vector<std::unique_ptr<Scene>> scenes_;  ///< one for each strategy, built when first needed
 };
 
-/// Local date and time in the format of OMPL's logs: 2026-01-31T12:00:00.
-std::string timeNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local = {};
-    localtime_r(&now, &local);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
-    return text;
-}
-
 Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, const Engine& engine) {
     Benchmark benchmark;
     benchmark.experiment = problem.name;
@@ -128,7 +118,7 @@ Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, c
                             {"leaf_split VARCHAR", engine.leafSplit},
                             {"leaf_size INTEGER", std::to_string(engine.leafSize)}};
     benchmark.cpu = processorName();
-    benchmark.started = timeNow();
+    benchmark.started = ompl::time::as_string(ompl::time::now());
     benchmark.setup = "Problem: " + problem.problem.file + "\n";
     benchmark.options.seconds = options.seconds;
     benchmark.options.megabytes = options.megabytes;
@@ -171,11 +161,11 @@ Columns<RunRow> runColumns() {
 
 std::string callsFile(const std::string& folder, const std::string& scene, const std::string& planner,
                       int seed) {
-    return folder + "/calls/" + scene + "_" + planner + "_" + std::to_string(seed) + ".calls";
+    return fmt::format("{}/calls/{}_{}_{}.calls", folder, scene, planner, seed);
 }
 
 std::string PlannedRun::name() const {
-    return planner.name + " " + engine.name() + " seed " + std::to_string(seed);
+    return fmt::format("{} {} seed {}", planner.name, engine.name(), seed);
 }
 
 /// Runs all strategies back to back for each seed and planner, rotating which goes first, so that slow drifts
@@ -227,10 +217,10 @@ void keepRun(const StudyRun& run, const StudyOptions& options, const std::string
     for (const std::string& warning : run.warnings) options.report("warning: " + warning);
     const RunRow& row = run.row;
     if (run.machine != machineName()) {
-        throw std::runtime_error("the run of " + row.planner + " " + row.name() + " seed " +
-                                 std::to_string(row.seed) + " was done by " + run.machine + ", expected " +
-                                 machineName() +
-                                 " as for the study's other runs, whose times it is compared with");
+        throw std::runtime_error(fmt::format(
+            "the run of {} {} seed {} was done by {}, expected {} as for the study's other runs, whose "
+            "times it is compared with",
+            row.planner, row.name(), row.seed, run.machine, machineName()));
     }
     if (run.calls) writeCalls(*run.calls, callsFile(folder, row.scene, row.planner, row.seed));
     runs.append({row});

@@ -1,8 +1,9 @@
 #include "demos/study/print_study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <iostream>
 #include <map>
 #include <tuple>
@@ -34,9 +35,7 @@ void printTable(const std::string& title, const Lines& lines) {
 }
 
 std::string short3(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, number >= 1000 ? "%.0f" : "%.3g", number);
-    return text;
+    return number >= 1000 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
 }
 
 std::string short3(const study::Measure& number) {
@@ -52,7 +51,7 @@ std::string countText(const study::Count& count) {
 }
 
 std::string ratioText(const study::PairedRatio& ratio) {
-    return short3(ratio.median) + " (" + short3(ratio.low) + " to " + short3(ratio.high) + ")";
+    return fmt::format("{} ({} to {})", short3(ratio.median), short3(ratio.low), short3(ratio.high));
 }
 
 /// Orders leaf splits from the fewest leaves to the most.
@@ -116,11 +115,11 @@ void printDisturbed(const study::StudyResult& result, const std::string& scene) 
         runs += row.runs.value_or(0);
     }
     if (disturbed == 0) return;
-    std::cout
-        << "\n"
-        << disturbed << " of " << runs << " runs of " << scene
-        << " had less than 95 % of a processor: the machine did other work, too. These runs are left out "
-           "of ratios of\nseconds to the first solution and within calls.\n";
+    std::cout << fmt::format(
+        "\n{} of {} runs of {} had less than 95 % of a processor: the machine did other work, too. These "
+        "runs are "
+        "left out of ratios of\nseconds to the first solution and within calls.\n",
+        disturbed, runs, scene);
 }
 
 const study::Engine kUsual;  ///< the engine of planner runs, but for the splits
@@ -207,8 +206,7 @@ void printTrees(const study::StudyResult& result, const std::string& scene) {
              std::to_string(row.leavesOf4), beside(static_cast<double>(row.leaves), row.thesisLeaves),
              beside(row.collisionsPerSecond, row.thesisCollisions),
              beside(row.distancesPerSecond, row.thesisDistances)});
-        about = std::to_string(row.triangles) + " triangles, " + std::to_string(row.colliding) + " of " +
-                std::to_string(row.poses) + " poses collide";
+        about = fmt::format("{} triangles, {} of {} poses collide", row.triangles, row.colliding, row.poses);
         if (!row.thesisScene.empty()) thesis = "; in brackets the thesis's " + row.thesisScene;
     }
     printTable(scene + ": trees of the environment, " + about + thesis, lines);

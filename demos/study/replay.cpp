@@ -1,5 +1,7 @@
 #include "demos/study/replay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -43,8 +45,8 @@ class TargetInUse {
 };
 
 std::string placeOf(const Sample& sample, std::size_t block, std::size_t call) {
-    return "call " + std::to_string(call + 1) + " of block " + std::to_string(sample.places[block] + 1) +
-           " of " + sample.planner + " seed " + std::to_string(sample.seed);
+    return fmt::format("call {} of block {} of {} seed {}", call + 1, sample.places[block] + 1,
+                       sample.planner, sample.seed);
 }
 
 void readBlocks(const std::string& file, std::size_t callsPerBlock, double secondsPerCall, Sample& sample) {
@@ -186,9 +188,9 @@ class Replay {
             for (std::size_t call = 0; call < answers[block].size(); ++call) {
                 const CallAnswer here = answers[block][call], there = sample.answers.at(block).at(call);
                 if (here == there) continue;
-                const std::string what = placeOf(sample, block, call) + ": " + sample.answered +
-                                         " answers '" + static_cast<char>(there) + "', " + engine.name() +
-                                         " '" + static_cast<char>(here) + "'";
+                const std::string what =
+                    fmt::format("{}: {} answers '{}', {} '{}'", placeOf(sample, block, call), sample.answered,
+                                static_cast<char>(there), engine.name(), static_cast<char>(here));
                 const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
                 if (!isOpen) throw std::logic_error("strategies contradict each other: " + what);
                 options_.report(problem_.name + ": a motion is undecided with one strategy only: " + what);

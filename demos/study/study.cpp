@@ -1,5 +1,7 @@
 #include "demos/study/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,10 +11,17 @@
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "demos/study/replayer.h"
-#include "demos/study/settings.h"
 
 namespace clearway::study {
 namespace {
+
+/// A setting that results were begun with, kept with them: results of different settings are never mixed.
+struct Setting {
+    std::string name, value;
+};
+using Settings = std::vector<Setting>;
+
+constexpr const char* kAsItWasBegun = "another folder or the options that it was begun with";
 
 std::string hashOf(const std::string& text) {
     Hash hash;
@@ -32,7 +41,7 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
         {"leaf splits", joined(options.leafSplits, " ")},
         {"seeds", std::to_string(options.seeds)},
         {"seconds", shortNumber(options.seconds)},
-        {"sampled blocks", std::to_string(sampling.blocks) + " of " + std::to_string(sampling.callsPerBlock)},
+        {"sampled blocks", fmt::format("{} of {}", sampling.blocks, sampling.callsPerBlock)},
         {"repetitions", std::to_string(options.repetitions)},
         {"table poses", std::to_string(options.tablePoses)},
         {"short", options.isShort ? "yes" : "no"},
@@ -46,6 +55,34 @@ Settings settingsOf(const std::vector<StudyProblem>& problems, const StudyOption
         settings.push_back({"scene " + problem.name, hashOf(problem.fingerprint())});
     }
     return settings;
+}
+
+/// Keeps the settings in FOLDER/settings.csv, where none are kept. Commas in values become spaces. Otherwise compares them
+/// with the kept ones and throws std::invalid_argument, which names the setting and both values.
+void requireSettings(Settings settings, const std::string& folder) {
+    for (auto& [name, value] : settings) {
+        for (char& c : value) {
+            if (c == ',' || c == '\n' || c == '\r') c = ' ';
+        }
+    }
+    GrowingTable<Setting> kept(folder + "/settings.csv",
+                               {{"setting", &Setting::name}, {"value", &Setting::value}});
+    if (kept.rows().empty()) {
+        kept.append(settings);
+        return;
+    }
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const auto& [name, value] = settings[i];
+        const bool isThere = i < kept.rows().size() && kept.rows()[i].name == name;
+        const std::string before = isThere ? kept.rows()[i].value : "not there";
+        if (before == value) continue;
+        throw std::invalid_argument(fmt::format("the study in '{}' has {} '{}', not '{}', expected {}",
+                                                folder, name, before, value, kAsItWasBegun));
+    }
+    if (kept.rows().size() > settings.size())
+        throw std::invalid_argument(
+            fmt::format("the study in '{}' has more settings, the last '{}', expected {}", folder,
+                        kept.rows().back().name, kAsItWasBegun));
 }
 
 void requireOptions(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
@@ -105,8 +142,7 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
     requireOptions(problems, options);
     makeFolder(folder);
     const FolderLock lock(folder);
-    requireSettings(settingsOf(problems, options), folder, "study",
-                    "another folder or the options that it was begun with");
+    requireSettings(settingsOf(problems, options), folder);
     GrowingTable<RunRow> runs(folder + "/runs.csv", runColumns());
     GrowingTable<ReplayRow> replays(folder + "/replay.csv", replayColumns());
     GrowingTable<TreeRow> trees(folder + "/trees.csv", treeColumns());
@@ -114,8 +150,8 @@ StudyResult studyLeafStrategies(const std::vector<StudyProblem>& problems, const
     if (options.doRuns && !runElsewhere(problems, options, folder, runs)) return result;
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const StudyProblem& problem = problems[i];
-        options.report("scene " + std::to_string(i + 1) + " of " + std::to_string(problems.size()) + ", " +
-                       problem.name + ": runs, then replays, then the trees' tables");
+        options.report(fmt::format("scene {} of {}, {}: runs, then replays, then the trees' tables", i + 1,
+                                   problems.size(), problem.name));
         if (!runPlanners(problem, options, folder, runs)) return result;
         if (!replayCalls(problem, options, folder, runs.rows(), replays)) return result;
         if (!measureTrees(problem, tablePoses(problem, options, folder), options, trees)) return result;

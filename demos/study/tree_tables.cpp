@@ -1,5 +1,7 @@
 #include "demos/study/tree_tables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -115,8 +117,8 @@ class Measuring {
             }
             const Asked::Interval& first = intervals_[i];
             if (touches == touching_[i] && found.lower <= first.upper && first.lower <= found.upper) continue;
-            throw std::logic_error("at pose " + std::to_string(i + 1) + " " + nameOf(asked_[0]->build) +
-                                   " and " + nameOf(asked.build) + " contradict each other");
+            throw std::logic_error(fmt::format("at pose {} {} and {} contradict each other", i + 1,
+                                               nameOf(asked_[0]->build), nameOf(asked.build)));
         }
     }
 

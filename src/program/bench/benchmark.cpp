@@ -1,5 +1,6 @@
 #include "program/bench/benchmark.h"
 
+#include <fmt/format.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -26,21 +27,15 @@ constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1
 constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
 
 void requireOptions(const BenchmarkOptions& options) {
-    if (!(options.seconds > 0)) {
-        throw std::invalid_argument("the time limit is " + shortNumber(options.seconds) +
-                                    ", expected seconds above 0");
-    }
-    if (options.iterations == 0u) {
-        throw std::invalid_argument("the number of iterations is 0, expected at least 1");
-    }
-    if (!(options.megabytes > 0)) {
-        throw std::invalid_argument("the memory limit is " + shortNumber(options.megabytes) +
-                                    ", expected megabytes above 0");
-    }
-    if (options.runs < 1) {
-        throw std::invalid_argument("the number of runs is " + std::to_string(options.runs) +
-                                    ", expected at least 1");
-    }
+    const auto require = [](bool isMet, const char* what, double value, const char* expected) {
+        if (isMet) return;
+        throw std::invalid_argument(
+            fmt::format("the {} is {}, expected {}", what, shortNumber(value), expected));
+    };
+    require(options.seconds > 0, "time limit", options.seconds, "seconds above 0");
+    require(options.iterations != 0u, "number of iterations", 0, "at least 1");
+    require(options.megabytes > 0, "memory limit", options.megabytes, "megabytes above 0");
+    require(options.runs >= 1, "number of runs", options.runs, "at least 1");
 }
 
 /// A name without white space, because the log's reader takes the last word of its line.

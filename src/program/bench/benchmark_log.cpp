@@ -1,8 +1,11 @@
 #include "program/bench/benchmark_log.h"
 
+#include <fmt/format.h>
 #include <ompl/base/PlannerStatus.h>
 #include <ompl/config.h>
 
+#include <boost/algorithm/string/finder.hpp>
+#include <boost/algorithm/string/iter_find.hpp>
 #include <climits>
 #include <cmath>
 #include <ostream>
@@ -17,8 +20,7 @@ namespace {
 
 /// "1.5.2". OMPL_VERSION is an empty text in Debian 12.
 std::string omplVersion() {
-    return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
-           std::to_string(OMPL_PATCH_VERSION);
+    return fmt::format("{}.{}.{}", OMPL_MAJOR_VERSION, OMPL_MINOR_VERSION, OMPL_PATCH_VERSION);
 }
 
 /// Replaces the separators: OMPL's script splits values of runs at "; ", values of progress at commas and
@@ -102,13 +104,7 @@ void writeProgress(const PlannerBenchmark& planner, std::ostream& out) {
 
 std::vector<std::string> split(const std::string& text, const std::string& separator) {
     std::vector<std::string> parts;
-    std::size_t begin = 0;
-    for (std::size_t end; (end = text.find(separator, begin)) != std::string::npos;) {
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + separator.size();
-    }
-    parts.push_back(text.substr(begin));
-    return parts;
+    return boost::iter_split(parts, text, boost::first_finder(separator));
 }
 
 /// The lines of a log, which are read one by one.
@@ -118,8 +114,8 @@ class Lines {
 
     const std::string& next(const std::string& expected) {
         if (next_ == lines_.size())
-            throw std::runtime_error(file_ + ": ends after " + std::to_string(next_) + " lines, expected " +
-                                     expected);
+            throw std::runtime_error(
+                fmt::format("{}: ends after {} lines, expected {}", file_, next_, expected));
         return lines_[next_++];
     }
 

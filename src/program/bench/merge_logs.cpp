@@ -1,5 +1,7 @@
 #include "program/bench/merge_logs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,9 +61,9 @@ void requireSeed(const BenchmarkRun& run, const std::string& file, const std::st
     if (seed && *seed >= 0 && *seed <= std::numeric_limits<std::uint32_t>::max() &&
         *seed == std::floor(*seed))
         return;
-    throw std::invalid_argument(file + " has a run of " + planner + " with seed '" +
-                                (found == run.properties.end() ? "" : found->second) +
-                                "', expected a log of clearway bench, with a whole number");
+    throw std::invalid_argument(fmt::format(
+        "{} has a run of {} with seed '{}', expected a log of clearway bench, with a whole number", file,
+        planner, found == run.properties.end() ? "" : found->second));
 }
 
 /// Seeds from the first to the last; those that no log has are lost.
@@ -69,9 +71,10 @@ std::set<std::uint32_t> withoutGaps(const std::set<std::uint32_t>& seeds) {
     std::set<std::uint32_t> all;
     if (seeds.empty()) return all;
     if (*seeds.rbegin() - *seeds.begin() >= kMostRuns) {
-        throw std::invalid_argument("the logs have runs with seeds from " + std::to_string(*seeds.begin()) +
-                                    " to " + std::to_string(*seeds.rbegin()) + ", expected at most " +
-                                    std::to_string(kMostRuns) + " seeds from the first to the last");
+        throw std::invalid_argument(fmt::format(
+            "the logs have runs with seeds from {} to {}, expected at most {} seeds from the first to the "
+            "last",
+            *seeds.begin(), *seeds.rbegin(), kMostRuns));
     }
     for (std::uint32_t seed = *seeds.begin(); all.size() <= *seeds.rbegin() - *seeds.begin(); ++seed)
         all.insert(seed);
@@ -81,8 +84,8 @@ std::set<std::uint32_t> withoutGaps(const std::set<std::uint32_t>& seeds) {
 /// Refuses runs with other seeds than the log's header announces.
 void addRuns(const Benchmark& log, const std::string& file, Benchmark& all) {
     if (log.options.runs > static_cast<int>(kMostRuns)) {
-        throw std::invalid_argument(file + " announces " + std::to_string(log.options.runs) +
-                                    " runs per planner, expected at most " + std::to_string(kMostRuns));
+        throw std::invalid_argument(fmt::format("{} announces {} runs per planner, expected at most {}", file,
+                                                log.options.runs, kMostRuns));
     }
     std::set<std::uint32_t> seeds;
     for (int run = 0; run < log.options.runs; ++run)
@@ -91,18 +94,17 @@ void addRuns(const Benchmark& log, const std::string& file, Benchmark& all) {
     for (std::size_t i = 0; i < log.planners.size(); ++i) {
         for (const BenchmarkRun& run : log.planners[i].runs) {
             requireSeed(run, file, log.planners[i].name);
-            const std::string seed = std::to_string(seedOf(run)), name = log.planners[i].name;
             if (seeds.count(seedOf(run)) == 0)
-                throw std::invalid_argument(file + " has a run of " + name + " with seed " + seed +
-                                            ", expected " + std::to_string(*seeds.begin()) + " to " +
-                                            std::to_string(*seeds.rbegin()));
+                throw std::invalid_argument(fmt::format("{} has a run of {} with seed {}, expected {} to {}",
+                                                        file, log.planners[i].name, seedOf(run),
+                                                        *seeds.begin(), *seeds.rbegin()));
             leftOut += !addRun(run, all.planners[i]);
         }
     }
     if (leftOut > 0)
-        all.warnings.push_back(file + ": " +
-                               (leftOut == 1 ? "1 run is" : std::to_string(leftOut) + " runs are") +
-                               " left out, because logs before it have runs with the same seeds");
+        all.warnings.push_back(
+            fmt::format("{}: {} left out, because logs before it have runs with the same seeds", file,
+                        leftOut == 1 ? "1 run is" : fmt::format("{} runs are", leftOut)));
     all.seeds.merge(seeds);
 }
 

@@ -1,9 +1,13 @@
 #include "program/bench/table.h"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -18,18 +22,6 @@
 
 namespace clearway::study {
 namespace {
-
-Cells split(const std::string& line) {
-    Cells cells(1);
-    for (const char c : line) {
-        if (c == ',') {
-            cells.emplace_back();
-        } else {
-            cells.back() += c;
-        }
-    }
-    return cells;
-}
 
 /// The complete lines of the file; empty if there is no file. Removes a last line without an end from the
 /// file.
@@ -88,11 +80,11 @@ std::vector<Cells> openTable(const std::string& file, const Cells& names) {
     }
     std::vector<Cells> all;
     while (std::getline(lines, line)) {
-        all.push_back(split(line));
+        boost::split(all.emplace_back(), line, boost::is_any_of(","));
         if (all.back().size() == names.size()) continue;
-        throw std::runtime_error(place(file, static_cast<int>(all.size()) + 1) +
-                                 std::to_string(all.back().size()) + " values, expected " +
-                                 std::to_string(names.size()));
+        throw std::runtime_error(fmt::format("{}{} values, expected {}",
+                                             place(file, static_cast<int>(all.size()) + 1), all.back().size(),
+                                             names.size()));
     }
     return all;
 }

@@ -1,4 +1,6 @@
 // clearway bench: runs a problem's planners, each several times, and writes OMPL's benchmark log.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -15,8 +17,7 @@
 #include "program/bench/benchmark_log.h"
 #include "program/bench/merge_logs.h"
 #include "program/bench/run_text.h"
-#include "program/cli/bench_paths.h"
-#include "program/cli/print_benchmark.h"
+#include "program/cli/bench_results.h"
 #include "program/cli/run_on_ranks.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
@@ -164,12 +165,10 @@ Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions 
     std::optional<ElapsedLine> line;
     options.tell = [&](const study::BenchmarkProgress& at) {
         line.reset();
-        const std::string left =
-            std::isfinite(at.left)
-                ? ", about " + std::to_string(static_cast<long>(at.left)) + " s left at its start"
-                : "";
-        line.emplace("run " + std::to_string(at.run + 1) + " of " + std::to_string(at.runs) + ", " +
-                     at.planner + left + ", running");
+        const std::string left = std::isfinite(at.left)
+                                     ? fmt::format(", about {:.0f} s left at its start", std::floor(at.left))
+                                     : "";
+        line.emplace(fmt::format("run {} of {}, {}{}, running", at.run + 1, at.runs, at.planner, left));
     };
     return study::runBenchmark(problem, scene, options);
 }

@@ -1,14 +1,14 @@
 // clearway check: audits a path file along its whole length.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "clearway/planning/check_path.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/swept_tolerance.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"
@@ -93,34 +93,30 @@ double validShare(const Scene& scene, const planning::PathAudit& audit) {
     return all > 0 ? valid / all : audit.isValid();
 }
 
-void print(const Problem& problem, const Scene& scene, const planning::PathCheck& check,
-           const CheckOptions& options) {
-    printMesh("part", scene.part);
-    printObstacles(scene);
-    printRow("length", shownLength(check.audit.length));
-    printRow("turned", readable(check.audit.turned * 180 / M_PI) + " degrees");
-    printRow("queries", std::to_string(check.audit.queries));
-    printAudit(check.audit, scene);
-    if (!check.audit.isValid())
-        printRow("valid", "at least " + shortened(100 * validShare(scene, check.audit)) +
-                              " % of the length: each segment counts up to where it is not valid");
+/// Prints the check, and keeps its facts.
+void tellCheck(const Problem& problem, const Scene& scene, const planning::PathCheck& check,
+               const CheckOptions& options) {
+    const planning::PathAudit& audit = check.audit;
+    const double share = validShare(scene, audit);
+    tellScene(scene);
+    printRows({{"length", shownLength(audit.length)},
+               {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
+               {"queries", std::to_string(audit.queries)}});
+    printAudit(audit, scene);
+    facts()["audit"] = toJson(audit);
+    tell({shownIf(!audit.isValid(),
+                  {"valid",
+                   fmt::format("at least {} % of the length: each segment counts up to where it is not valid",
+                               shortened(100 * share)),
+                   "valid_share", toJson(share)}),
+          kept("off_start", toJson(check.offStart)), kept("off_goal", toJson(check.offGoal)),
+          kept("ends_tolerance", toJson(check.tolerance))});
     printEnds(problem, check, options.isAnyEnds);
     if (options.isBrief) return;
     std::cout << "\n";
-    printSegments(check.audit);
+    printSegments(audit);
     std::cout << "\n";
-    printProfile(check.audit);
-}
-
-void tellFacts(const Scene& scene, const planning::PathCheck& check,
-               const std::vector<FoundOverlap>& overlaps) {
-    tellScene(scene);
-    facts()["audit"] = toJson(check.audit);
-    facts()["valid_share"] = toJson(validShare(scene, check.audit));
-    facts()["off_start"] = toJson(check.offStart);
-    facts()["off_goal"] = toJson(check.offGoal);
-    facts()["ends_tolerance"] = toJson(check.tolerance);
-    facts()["overlaps"] = toJson(overlaps);
+    printProfile(audit);
 }
 
 }  // namespace
@@ -141,12 +137,12 @@ int check(const Arguments& arguments) {
         found = planning::checkPath(problem, scene, path);
     }
     printWarnings(problem.warnings);
-    print(problem, scene, found, options);
+    tellCheck(problem, scene, found, options);
     if (!options.csv.empty()) writeProfile(found.audit, scene, path, options.csv);
     const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
+    facts()["overlaps"] = toJson(overlaps);
     if (found.audit.isValid()) requireAllowed(overlaps);
-    tellFacts(scene, found, overlaps);
     const bool isWhole = options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
     requirePrinted();
     const bool hasEnds = options.isAnyEnds || (found.beginsAtStart() && found.endsAtGoal());

@@ -1,5 +1,7 @@
 #include "program/cli/film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -10,7 +12,6 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -54,19 +55,19 @@ std::string endingOf(const std::string& file) {
 }
 
 std::string sizeText(const render::RenderOptions& drawing) {
-    return std::to_string(drawing.width) + " x " + std::to_string(drawing.height);
+    return fmt::format("{} x {}", drawing.width, drawing.height);
 }
 
 void requireSize(const FilmChoice& film, const render::RenderOptions& drawing) {
     if (film.video.empty()) return;
     if (std::max(drawing.width, drawing.height) > kLargestFilmSide) {
-        throw std::invalid_argument("--size is " + sizeText(drawing) + ", expected at most " +
-                                    std::to_string(kLargestFilmSide) + " pixels a side for --video");
+        throw std::invalid_argument(fmt::format("--size is {}, expected at most {} pixels a side for --video",
+                                                sizeText(drawing), kLargestFilmSide));
     }
     if (endingOf(film.video) != ".gif") return;
     if (film.rate > kMostGifRate) {
-        throw std::invalid_argument("--fps is " + std::to_string(film.rate) + ", expected at most " +
-                                    std::to_string(kMostGifRate) + " for a GIF");
+        throw std::invalid_argument(
+            fmt::format("--fps is {}, expected at most {} for a GIF", film.rate, kMostGifRate));
     }
     const double bytes = 4.0 * drawing.width * drawing.height * static_cast<double>(film.pictureCount());
     if (bytes > kMostGifBytes) {
@@ -107,16 +108,16 @@ void printContacts(const std::vector<render::PosedPart>& poses) {
     if (count == 0) return;
     const auto first = std::find_if(poses.begin(), poses.end(), isInContact);
     const double share = double(first - poses.begin()) / double(std::max<std::size_t>(1, poses.size() - 1));
-    printRow("in contact", counted(static_cast<std::size_t>(count), "picture") + " of " +
-                               std::to_string(poses.size()) + ": IN COLLISION or too close, first at " +
-                               readable(std::round(1000 * share) / 1000));
+    printRow("in contact", fmt::format("{} of {}: IN COLLISION or too close, first at {}",
+                                       counted(static_cast<std::size_t>(count), "picture"), poses.size(),
+                                       readable(std::round(1000 * share) / 1000)));
 }
 
 /// Takes all pictures. Returns false when interrupted.
 bool takePictures(render::Film& film, const std::vector<render::PosedPart>& poses, const FramesFolder& folder,
                   ElapsedLine& elapsed) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        elapsed.tell("picture " + std::to_string(i + 1) + " of " + std::to_string(poses.size()) + ",");
+        elapsed.tell(fmt::format("picture {} of {},", i + 1, poses.size()));
         const render::Image picture = film.picture(poses[i]);
         if (picture.pixels.empty()) return false;
         render::writePng(picture, folder.fileOf(i + 1));
@@ -145,9 +146,9 @@ bool encode(const FramesFolder& folder, const FilmChoice& film, const std::strin
         std::find_if(std::begin(kVideoKinds), std::end(kVideoKinds),
                      [&](const VideoKind& known) { return known.ending == endingOf(film.video); });
     // A name with a colon is no protocol of ffmpeg's, nor one that begins with a dash an option.
-    const std::string command = "ffmpeg -nostdin -y -loglevel error -framerate " + std::to_string(film.rate) +
-                                " -i " + quoted("file:" + folder.pattern()) + " " + kind->options + " " +
-                                quoted("file:" + file) + " 2>&1";
+    const std::string command =
+        fmt::format("ffmpeg -nostdin -y -loglevel error -framerate {} -i {} {} {} 2>&1", film.rate,
+                    quoted("file:" + folder.pattern()), kind->options, quoted("file:" + file));
     std::FILE* const ffmpeg = popen(command.c_str(), "r");
     if (ffmpeg == nullptr)
         throw std::runtime_error("cannot run ffmpeg: " + std::string(std::strerror(errno)));
@@ -236,15 +237,16 @@ bool writeFilm(const FilmChoice& film, const FilmScene& scene, const render::Ren
     }
     if (isDone) keepFrames();
     const std::string told = counted(poses.size(), "picture") + " of " + sizeText(drawing);
-    if (isDone) {
-        facts()["frames"] = film.frames.empty() ? Json() : Json(film.frames);
-        facts()["video"] = film.video.empty() ? Json() : Json(film.video);
-    }
-    if (!film.frames.empty()) printRow("frames", isDone ? film.frames + ", " + told : "none, interrupted");
-    if (!film.video.empty()) {
-        printRow("video", isDone ? film.video + ", " + told + ", " + std::to_string(film.rate) + " a second"
-                                 : "none, interrupted");
-    }
+    const auto tellFile = [&](const std::string& name, const std::string& file, const std::string& shown) {
+        Fact fact = shownIf(!file.empty(), {name, isDone ? shown : "none, interrupted"});
+        if (isDone) {
+            fact.name = name;
+            fact.value = file.empty() ? Json() : Json(file);
+        }
+        tell({fact});
+    };
+    tellFile("frames", film.frames, film.frames + ", " + told);
+    tellFile("video", film.video, fmt::format("{}, {}, {} a second", film.video, told, film.rate));
     return isDone;
 }
 

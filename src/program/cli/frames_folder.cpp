@@ -1,11 +1,11 @@
 #include "program/cli/frames_folder.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <boost/algorithm/string/replace.hpp>
-#include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <random>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -24,11 +24,8 @@ constexpr const char* kFrameEnd = ".png";
 }
 
 bool isFrame(const std::string& name) {
-    const std::string begin = kFrameBegin, end = kFrameEnd;
-    if (name.size() <= begin.size() + end.size()) return false;
-    const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
-    return name.rfind(begin, 0) == 0 && name.substr(name.size() - end.size()) == end &&
-           std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    static const std::regex kFrame(fmt::format("{}[0-9]+\\{}", kFrameBegin, kFrameEnd));
+    return std::regex_match(name, kFrame);
 }
 
 /// The first file that is no picture of a film; empty if there is none.
@@ -91,9 +88,7 @@ FramesFolder::~FramesFolder() {
 }
 
 std::string FramesFolder::fileOf(std::size_t picture) const {
-    char name[32];
-    std::snprintf(name, sizeof name, "%s%04zu%s", kFrameBegin, picture, kFrameEnd);
-    return (fs::path(temporary_) / name).string();
+    return (fs::path(temporary_) / fmt::format("{}{:04}{}", kFrameBegin, picture, kFrameEnd)).string();
 }
 
 std::string FramesFolder::pattern() const {

@@ -1,8 +1,10 @@
 // clearway info: shows the content of a mesh or a problem, the conversions on reading, and the trees built.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -10,13 +12,11 @@
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
-#include "mesh/check.h"
-#include "mesh/clean.h"
-#include "mesh/topology.h"
 #include "program/cli/enclosure.h"
-#include "program/cli/info_facts.h"
+#include "program/cli/mesh_facts.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/print_audit.h"
+#include "program/options/facts.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"
@@ -29,92 +29,6 @@ constexpr int kMostDoublings = 8;
 constexpr double kLiftError = 0.02;     ///< of the least overlap that frees a start
 constexpr double kSmallLift = 1e-3;     ///< of the diagonal of a part that is only touched
 constexpr double kLiftTolerance = 0.5;  ///< of the overlap, unless the problem states one
-
-Box inFileUnits(const Box& box, const MeshOrigin& origin) {
-    return Box((box.min() - origin.shift) / origin.scale, (box.max() - origin.shift) / origin.scale);
-}
-
-void describeReading(const Mesh& mesh, const std::string& reading) {
-    const MeshOrigin& origin = mesh.origin;
-    const Box box = boundingBox(mesh);
-    printRow("mesh", origin.file);
-    printRow("read", reading);
-    for (const auto& [label, text] : readingRows(origin)) printRow(label, text);
-    printRow("applied", "scale " + readable(origin.scale) + ", then shift " + readable(origin.shift));
-    if (origin.ignoredFaces > 0) {
-        printRow("left out", counted(origin.ignoredFaces, "face") +
-                                 " (points, lines, and triangles of faces whose outlines cross themselves)");
-    }
-    printRow("box in file units", readable(inFileUnits(box, origin)));
-    printRow("box as applied", inUnit(readable(box)));
-    printRow("size as applied", shownPlace(box.sizes()));
-}
-
-void describeTriangles(const Mesh& mesh, const CleanMesh& cleaned) {
-    printRow("triangles", std::to_string(mesh.triangles.size()));
-    printRow("vertices", std::to_string(mesh.vertices.size()) + " read, " +
-                             std::to_string(cleaned.vertices.size()) + " different ones in use");
-    printRow("components", std::to_string(mesh.components.size()));
-    for (const Component& component : mesh.components) {
-        printRow("  " + component.name, counted(component.triangleCount, "triangle"));
-    }
-    const EdgeReport edges = checkEdges(cleaned.triangles);
-    std::string surface = "closed";
-    if (edges.closedEdges == 0 && edges.isClosed()) {
-        surface = "none: every triangle is a point or a line";
-    } else if (edges.isClosed() && edges.touchingEdges > 0) {
-        surface += ", and touches itself along " + counted(edges.touchingEdges, "edge");
-    } else if (!edges.isClosed()) {
-        surface = "open: " + counted(edges.openEdges, "edge") + " of one triangle, " +
-                  std::to_string(edges.touchingEdges + edges.overfullEdges) + " of more than two, " +
-                  std::to_string(edges.twistedEdges) + " where the two neighbours face different sides";
-    }
-    printRow("surface", surface);
-    const CleanReport& report = cleaned.report;
-    printRow("cleaning", counted(report.weldedVertices, "vertex copy", "vertex copies") + " welded, " +
-                             std::to_string(report.unusedVertices) + " unused, " +
-                             counted(report.degenerateTriangles, "triangle") + " without area kept, " +
-                             counted(report.duplicateTriangles, "duplicate") + " dropped");
-}
-
-void describeReach(const Reach& reach, const BuildReport& report) {
-    printRow("out of reach", counted(report.unreachableTriangles, "triangle") + ", never within " +
-                                 shownLength(reach.cap) + " of the part; planning leaves them out");
-}
-
-void describeTree(const BuildReport& report) {
-    const TreeStatistics& tree = report.tree;
-    std::string leaves = std::to_string(tree.leaves);
-    for (std::size_t size = 1; size < tree.leavesBySize.size(); ++size) {
-        leaves += (size == 1 ? ": " : ", ") + std::to_string(tree.leavesBySize[size]) + " of " +
-                  std::to_string(size);
-    }
-    printRow("tree", treeDescription(report.options));
-    printRow("  nodes",
-             std::to_string(tree.nodes) + ", " + readable(tree.meanChildren) + " children on average");
-    printRow("  leaves", leaves);
-    printRow("  depth", std::to_string(tree.depth));
-    printRow("  bytes",
-             std::to_string(tree.bytes) + ", " +
-                 readable(static_cast<double>(tree.bytes) / static_cast<double>(report.triangles)) +
-                 " per triangle");
-    printRow("  build seconds", readable(report.seconds));
-}
-
-/// Prints the file and the conversions on reading, the box, whether the surface is closed, the findings of
-/// cleaning, and the tree. reading: how the file was read, in words. With a reach, the tree leaves out the
-/// triangles beyond it and a row counts them. name: of the mesh among the facts.
-Model describeMesh(const char* name, const Mesh& mesh, const std::string& reading,
-                   const BuildOptions& options, const std::optional<Reach>& reach = std::nullopt) {
-    describeReading(mesh, reading);
-    const CleanMesh cleaned = clean(mesh);
-    describeTriangles(mesh, cleaned);
-    const Model model = Model::build(mesh, options, reach);
-    facts()[name] = meshFacts(mesh, cleaned, model);
-    if (reach) describeReach(*reach, model.report());
-    describeTree(model.report());
-    return model;
-}
 
 std::string goalOf(const Problem& problem) {
     if (!problem.outside) return shownState(problem.goal);
@@ -136,63 +50,91 @@ std::string description(const PlannerChoice& planner) {
     return text;
 }
 
-void printContact(const char* where, const std::optional<ContactRule>& contact) {
-    if (contact) printRow(where, statedLength(contact->distance));
+Json namedValues(const NamedTexts& texts) {
+    Json json = Json::object();
+    for (const auto& [name, value] : texts) json[name] = value;
+    return json;
 }
 
-/// Prints all of the problem but its meshes. environmentBox: bounds the part's position where the problem
+Fact contactFact(const std::string& where, const std::optional<ContactRule>& contact) {
+    const std::string name = "contact_" + where;
+    if (!contact) return kept(name, nullptr);
+    return {"contact at " + where,
+            statedLength(contact->distance),
+            name,
+            {{"obstacles", contact->names}, {"distance", toJson(contact->distance)}}};
+}
+
+/// Tells all of the problem but its meshes. environmentBox: bounds the part's position where the problem
 /// states no volume. partBox: the part's, in its own coordinates. Throws as boundsOf does.
 void describeProblem(const Problem& problem, const Box& environmentBox, const Box& partBox) {
     const Box bounds = boundsOf(problem, environmentBox, partBox);
+    const std::string space = problem.space == Space::kSe3 ? "SE(3)" : "SE(2)";
+    const std::string& name = problem.name;
+    const auto& threshold = problem.planning.objectiveThreshold;
     tellProblem(problem);
-    facts().update(problemFacts(problem, bounds));
-    printRow("problem", problem.file + (problem.name.empty() ? "" : " (" + problem.name + ")"));
-    printRow("space", problem.space == Space::kSe3 ? "SE(3)" : "SE(2)");
-    printRow("start", shownState(problem.start));
-    printRow("goal", goalOf(problem));
-    printRow("bounds", inUnit(readable(bounds)) + boundsNote(problem));
-    printRow("objective", problem.planning.objective +
-                              (problem.planning.objectiveThreshold
-                                   ? ", threshold " + readable(*problem.planning.objectiveThreshold)
-                                   : std::string()));
-    if (!problem.planning.sampler.empty()) printRow("sampler", problem.planning.sampler);
-    if (problem.planning.goalThreshold) printRow("goal threshold", readable(*problem.planning.goalThreshold));
-    for (const auto& [name, value] : problem.planning.settings) printRow("setting", name + " = " + value);
-    printRow("margin", statedLength(problem.margin));
-    printRow("unit", problem.unit.empty() ? "not stated" : problem.unit);
-    printContact("contact at start", problem.rules.startContact);
-    printContact("contact at goal", problem.rules.goalContact);
-    printRow("fineness", problem.fineness ? statedLength(*problem.fineness) : "not stated");
-    printRow("planners", problem.planning.planners.empty()
-                             ? "not stated"
-                             : std::to_string(problem.planning.planners.size()));
-    for (const PlannerChoice& planner : problem.planning.planners)
+    tell({{"problem", problem.file + (name.empty() ? "" : " (" + name + ")"), "name", name},
+          {"space", space, "space", space},
+          {"start", shownState(problem.start), "start", toJson(problem.start)},
+          {"goal", goalOf(problem), "goal", problem.outside ? Json("outside") : toJson(problem.goal)},
+          {"bounds", inUnit(readable(bounds)) + boundsNote(problem), "bounds", toJson(bounds)},
+          kept("bounds_stated", problem.volume.has_value()),
+          {"objective", problem.planning.objective + (threshold ? ", threshold " + readable(*threshold) : ""),
+           "objective", problem.planning.objective},
+          kept("objective_threshold", threshold ? Json(*threshold) : Json()),
+          shownIf(!problem.planning.sampler.empty(), {"sampler", problem.planning.sampler, "sampler", problem.planning.sampler}),
+          optionalFact("goal threshold", "goal_threshold", problem.planning.goalThreshold),
+          kept("settings", namedValues(problem.planning.settings))});
+    for (const auto& [setting, value] : problem.planning.settings) printRow("setting", setting + " = " + value);
+    const std::size_t planners = problem.planning.planners.size();
+    tell({{"margin", statedLength(problem.margin), "margin", toJson(problem.margin)},
+          {"unit", problem.unit.empty() ? "not stated" : problem.unit},
+          contactFact("start", problem.rules.startContact),
+          contactFact("goal", problem.rules.goalContact),
+          {"fineness", problem.fineness ? statedLength(*problem.fineness) : "not stated", "fineness",
+           problem.fineness ? Json(*problem.fineness) : Json()},
+          kept("coordinates", problem.meshes.asOmplApp ? "omplapp" : "stored"),
+          {"planners", planners == 0 ? "not stated" : std::to_string(planners), "planners", Json::array()}});
+    for (const PlannerChoice& planner : problem.planning.planners) {
         printRow("  planner", description(planner));
-    if (problem.benchmark.timeLimit) printRow("time limit", readable(*problem.benchmark.timeLimit) + " s");
-    if (problem.benchmark.memoryLimit)
-        printRow("memory limit", readable(*problem.benchmark.memoryLimit) + " MB");
-    if (problem.benchmark.runCount) printRow("runs", std::to_string(*problem.benchmark.runCount));
-    if (!problem.benchmark.outputFolder.empty()) printRow("log folder", problem.benchmark.outputFolder);
+        facts()["planners"].push_back({{"name", planner.name},
+                                       {"parameters", namedValues(planner.parameters)},
+                                       {"settings", namedValues(planner.settings)}});
+    }
+    tell({optionalFact("time limit", "time_limit_seconds", problem.benchmark.timeLimit, "s"),
+          optionalFact("memory limit", "memory_limit_megabytes", problem.benchmark.memoryLimit, "MB"),
+          optionalFact("runs", "runs", problem.benchmark.runCount),
+          shownIf(!problem.benchmark.outputFolder.empty(), {"log folder", problem.benchmark.outputFolder}),
+          kept("warnings", problem.warnings)});
     for (const std::string& warning : problem.warnings) printRow("warning", warning);
+    if (problem.outside && problem.outside->side) facts()["outside"] = nameOf(*problem.outside->side);
 }
 
-/// Says whether the part is valid at a pose, and how far it is from what.
-void describePose(const char* label, const SceneClearance& clearance, const PartState& state,
-                  const Mesh& part, const std::vector<Mesh>& worlds) {
+/// Tells whether the part is valid at an end of the path ("start", "goal"); if so, how far from what; if not, why.
+void describeEnd(const std::string& end, const SceneClearance& clearance, const PartState& state,
+                 const Mesh& part, const std::vector<Mesh>& worlds) {
+    const std::string label = "at the " + end;
     const Pose X_environmentPart = poseOf(state);
     const PoseClearance at = clearance.at(X_environmentPart);
     const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
-    if (!why.isValid()) return printRow(label, "NOT valid: " + why.words());
+    const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
+    tell({{label,
+           !why.isValid()       ? "NOT valid: " + why.words()
+           : !at.nearest.witness ? "valid, with nothing near"
+                                 : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
+                                               names.part, names.environment, leftOutAt(at)),
+           "at_" + end,
+           {{"valid", why.isValid()},
+            {"kind", nameOf(why.kind)},
+            {"why_not", why.isValid() ? Json() : Json(why.words())},
+            {"clearance", toJson(at.lower)},
+            {"pair", closestPair(at.nearest, names.part, names.environment)}}}});
     const auto& obstacles = clearance.scene().obstacles;
     const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
                           std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
-    const std::string note = mayTouch ? "" : enclosureNote(part, worlds, X_environmentPart);
-    if (!note.empty()) printWarnings({std::string(label) + " " + note});
-    if (!at.nearest.witness) return printRow(label, "valid, with nothing near");
-    const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
-    printRow(label, "valid, clearance " + shownLength(at.lower) + ", between '" + names.part + "' and '" +
-                        names.environment + "'" + leftOutAt(at));
+    const std::string note = mayTouch || !why.isValid() ? "" : enclosureNote(part, worlds, X_environmentPart);
+    if (!note.empty()) printWarnings({label + " " + note});
 }
 
 void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Mesh>& worlds) {
@@ -200,11 +142,8 @@ void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Me
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const SceneClearance clearance(loaded.scene);
-    describePose("at the start", clearance, problem.start, part, worlds);
-    facts()["at_start"] = poseFacts(clearance, problem.start);
-    if (problem.outside) return;
-    describePose("at the goal", clearance, problem.goal, part, worlds);
-    facts()["at_goal"] = poseFacts(clearance, problem.goal);
+    describeEnd("start", clearance, problem.start, part, worlds);
+    if (!problem.outside) describeEnd("goal", clearance, problem.goal, part, worlds);
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
@@ -214,8 +153,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const Mesh environment = joinedEnvironment(worlds);
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     describeProblem(problem, boundingBox(environment), boundingBox(part));
-    printObstacles(obstacles);
-    facts()["obstacles"] = obstacleFacts(obstacles);
+    tellObstacles(obstacles);
     describeEnds(problem, part, worlds);
     std::cout << "\nPart\n";
     const Model partModel = describeMesh(

@@ -1,9 +1,9 @@
 // clearway init: writes a problem file for two meshes or more, and says what it saw in them.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "clearway/problem.h"
@@ -64,49 +64,49 @@ std::string rounded(double value, bool up) {
 }
 
 /// "1234 triangles, closed, 120 x 40 x 35"
-std::string describe(const Mesh& mesh) {
+Fact meshFact(const std::string& label, const Mesh& mesh) {
     const EdgeReport edges = checkEdges(clean(mesh).triangles);
+    const bool isClosed = edges.isClosed() && edges.closedEdges > 0;
     const Vector3 size = boundingBox(mesh).sizes();
-    return counted(mesh.triangles.size(), "triangle") + ", " +
-           (edges.isClosed() && edges.closedEdges > 0 ? "closed" : "open") + ", " + rounded(size.x(), true) +
-           " x " + rounded(size.y(), true) + " x " + rounded(size.z(), true);
-}
-
-Json factsOf(const Mesh& mesh) {
-    const EdgeReport edges = checkEdges(clean(mesh).triangles);
-    return {{"reading", readingWord(mesh.origin)},
-            {"triangles", mesh.triangles.size()},
-            {"closed", edges.isClosed() && edges.closedEdges > 0},
-            {"box", toJson(boundingBox(mesh))}};
+    return {label,
+            fmt::format("{}, {}, {} x {} x {}", counted(mesh.triangles.size(), "triangle"),
+                        isClosed ? "closed" : "open", rounded(size.x(), true), rounded(size.y(), true),
+                        rounded(size.z(), true)),
+            label,
+            {{"reading", readingWord(mesh.origin)},
+             {"triangles", mesh.triangles.size()},
+             {"closed", isClosed},
+             {"box", toJson(boundingBox(mesh))}}};
 }
 
 std::string clearanceAtStart(const Scene& scene) {
     const SceneClearance clearance(scene);
     const SceneDistance nearest = clearance.distance({});
     facts()["clearance_at_start"] = toJson(nearest.lower);
-    return "free, " + readable(nearest.distance) + " from '" + meshNames(scene, nearest).environment + "'";
+    return fmt::format("free, {} from '{}'", readable(nearest.distance),
+                       meshNames(scene, nearest).environment);
 }
 
 class ProblemText {
   public:
-    void comment(const std::string& text) { text_ << "# " << text << "\n"; }
-    void section(const std::string& name) { text_ << "\n[" << name << "]\n"; }
+    void comment(const std::string& text) { text_ += "# " + text + "\n"; }
+    void section(const std::string& name) { text_ += "\n[" + name + "]\n"; }
     void line(const std::string& key, const std::string& value, const std::string& about,
               const std::string& before = "") {
         std::string line = before + key + " = " + value;
         if (!about.empty())
             line +=
                 std::string(line.size() < kValueColumn ? kValueColumn - line.size() : 1, ' ') + "# " + about;
-        text_ << line << "\n";
+        text_ += line + "\n";
     }
     /// A line that counts once its first "# " is taken out.
     void choice(const std::string& key, const std::string& value, const std::string& about) {
         line(key, value, about, "# ");
     }
-    std::string str() const { return text_.str(); }
+    const std::string& str() const { return text_; }
 
   private:
-    std::ostringstream text_;
+    std::string text_;
 };
 
 /// The file's name as the problem file holds it. Throws if that cannot hold it.
@@ -263,8 +263,9 @@ int init(const Arguments& words) {
     seen.unit = commonUnit(meshes);
     seen.isTurned = std::any_of(meshes.begin(), meshes.end(),
                                 [](const Mesh& mesh) { return !turnedByAssimp(mesh.origin).empty(); });
-    seen.part = describe(part);
-    seen.environment = describe(environment);
+    const Fact partFact = meshFact("part", part), environmentFact = meshFact("environment", environment);
+    seen.part = partFact.shown;
+    seen.environment = environmentFact.shown;
     seen.bounds = boundingBox(environment);
     seen.bounds.extend(boundingBox(part));
     seen.bounds.extend(Vector3::Zero());
@@ -282,12 +283,7 @@ int init(const Arguments& words) {
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
     for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
-    facts()["problem"] = given.out;
-    facts()["part"] = factsOf(part);
-    facts()["environment"] = factsOf(environment);
-    facts()["touched_at_start"] = seen.touched;
-    printRow("part", seen.part);
-    printRow("environment", seen.environment);
+    tell({kept("problem", given.out), partFact, environmentFact, kept("touched_at_start", seen.touched)});
     if (seen.touched.empty()) {
         printRow("start", clearanceAtStart(scene));
         if (const std::string note = enclosureNote(part, worlds, {}); !note.empty())

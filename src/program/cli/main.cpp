@@ -9,7 +9,6 @@
 #include "core/text.h"
 #include "program/options/command_line.h"
 #include "program/options/help.h"
-#include "program/options/man_page.h"
 #include "program/options/program.h"
 
 namespace clearway::cli {

@@ -1,11 +1,10 @@
 #include "program/cli/overlaps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "mesh/components.h"
@@ -112,9 +111,10 @@ std::vector<FoundOverlap> overlapsAtStart(const Problem& problem) {
 void requireAllowed(const std::vector<FoundOverlap>& overlaps) {
     for (const FoundOverlap& found : overlaps) {
         if (found.deepest.lower <= found.allowed * (1 + kRounding)) continue;
-        throw std::logic_error("the path is certified, but is not valid: at " + readable(found.share) +
-                               " of it an obstacle reaches " + describe(found) + ", expected at most " +
-                               shownLength(found.allowed) + "; please report this contradiction");
+        throw std::logic_error(fmt::format(
+            "the path is certified, but is not valid: at {} of it an obstacle reaches {}, expected at "
+            "most {}; please report this contradiction",
+            readable(found.share), describe(found), shownLength(found.allowed)));
     }
 }
 
@@ -124,18 +124,16 @@ void printOverlaps(const std::vector<FoundOverlap>& overlaps) {
                  describe(overlaps[i]) + ", at " + readable(overlaps[i].share) + " of the path");
     }
     if (overlaps.size() > kMostRows)
-        printRow("overlap", "less in " + std::to_string(overlaps.size() - kMostRows) + " more obstacles");
+        printRow("overlap", fmt::format("less in {} more obstacles", overlaps.size() - kMostRows));
 }
 
 std::string depthText(double depth) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", depth);
-    return text;
+    return fmt::format("{:.3g}", depth);
 }
 
 std::string describe(const FoundOverlap& found) {
-    return inUnit(depthText(found.deepest.lower)) + " deep, at " + shownPlace(found.deepest.point) +
-           ", triangle " + std::to_string(found.deepest.obstacleTriangle) + " of '" + found.obstacle + "'";
+    return fmt::format("{} deep, at {}, triangle {} of '{}'", inUnit(depthText(found.deepest.lower)),
+                       shownPlace(found.deepest.point), found.deepest.obstacleTriangle, found.obstacle);
 }
 
 Json toJson(const std::vector<FoundOverlap>& overlaps) {

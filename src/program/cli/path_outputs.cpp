@@ -1,18 +1,18 @@
 #include "program/cli/path_outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "clearway/swept_volume.h"
 #include "core/replace_file.h"
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
-#include "program/cli/swept_tolerance.h"
+#include "program/options/facts.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/report/export_motion.h"
@@ -21,6 +21,11 @@
 namespace clearway::cli {
 
 namespace {
+
+constexpr double kUsualTolerance = 0.01;      ///< of the part's diagonal
+constexpr double kErrorPerTolerance = 0.125;  ///< that sweptVolume allows
+constexpr double kLeftOut = 2e-4;             ///< radians: OMPL may leave out turns below this
+constexpr double kFloatRounding = 1e-6;       ///< of the largest coordinate, in the file
 
 report::ReportTable tableOf(const std::string& title, const Rows& rows) {
     report::ReportTable table;
@@ -55,8 +60,8 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
                  {"least clearance", leastClearanceOf(audit)}};
     for (const auto& row : contactRows(audit)) rows.push_back(row);
     if (!closest.partMesh.empty()) {
-        rows.push_back({"there", closest.partMesh + " and " + closest.environmentMesh + ", segment " +
-                                     std::to_string(audit.closest + 1)});
+        rows.push_back({"there", fmt::format("{} and {}, segment {}", closest.partMesh,
+                                             closest.environmentMesh, audit.closest + 1)});
     }
     return rows;
 }
@@ -75,14 +80,12 @@ report::ReportTable overlapTable(const std::vector<FoundOverlap>& overlaps) {
 
 std::string verdictOf(const planning::PathAudit& audit, const Scene& scene) {
     if (audit.isValid()) return "valid along the whole path, certified" + certificateScope(scene);
-    return "NOT valid: " + std::to_string(audit.notValid.size()) + " of " +
-           counted(audit.segments.size(), "segment");
+    return fmt::format("NOT valid: {} of {}", audit.notValid.size(),
+                       counted(audit.segments.size(), "segment"));
 }
 
 std::string megabytes(std::size_t bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f MB", double(bytes) * 1e-6);
-    return text;
+    return fmt::format("{:.1f} MB", double(bytes) * 1e-6);
 }
 
 void writePage(const Problem& problem, const Mesh& part, const Mesh& environment, const Scene& scene,
@@ -120,6 +123,24 @@ std::vector<RigidMotion> motionsOf(const std::vector<PartState>& path) {
     return motions;
 }
 
+/// The tolerance of --swept: the stated one, or 1 % of the part's diagonal.
+double toleranceOf(const PathOutputs& outputs, const Model& part) {
+    return outputs.sweptTolerance.value_or(kUsualTolerance * part.box().diagonal().norm());
+}
+
+/// How far places of the part may be off a path's motions: by small turns, which OMPL may leave out, and by the floats of
+/// the file. radius: the part's about its origin.
+double sweptPlaceError(const std::vector<PartState>& path, double radius) {
+    double turn = 0, farthest = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const PartState &from = path[i], &to = path[std::min(i + 1, path.size() - 1)];
+        const double angle = from.rotation.angularDistance(to.rotation);
+        if (angle < kLeftOut) turn = std::max(turn, angle);
+        farthest = std::max(farthest, from.position.norm() + (to.position - from.position).norm());
+    }
+    return radius * turn + kFloatRounding * (radius + farthest);
+}
+
 bool isGlb(const std::string& file) {
     return boost::iequals(std::filesystem::path(file).extension().string(), ".glb");
 }
@@ -147,8 +168,9 @@ bool writeSwept(const Problem& problem, const Mesh& part, const Model& model,
         saveMesh(swept, file);
     }
     const std::string unit = !metres ? "" : isGlb(file) ? ", in metres" : ", in " + problem.unit;
-    printRow("swept", file + unit + ", " + counted(swept.triangles.size(), "triangle") + ", within " +
-                          shownLength(options.tolerance) + " of the part's places");
+    printRow("swept",
+             fmt::format("{}{}, {}, within {} of the part's places", file, unit,
+                         counted(swept.triangles.size(), "triangle"), shownLength(options.tolerance)));
     return true;
 }
 
@@ -176,13 +198,25 @@ bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::v
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
     return swept.empty() ||
-           writeSwept(problem, part, scene.part, path, cli::sweptTolerance(*this, scene.part), swept);
+           writeSwept(problem, part, scene.part, path, toleranceOf(*this, scene.part), swept);
 }
 
 void PathOutputs::tellUnwritten(const std::string& why) const {
     if (!report.empty()) printRow("report", "not written: " + why);
     if (!motion.empty()) printRow("export", "not written: " + why);
     if (!swept.empty()) printRow("swept", "not written: " + why);
+}
+
+std::string whySweptIsTooFine(const PathOutputs& outputs, const Scene& scene,
+                              const std::vector<PartState>& path) {
+    if (outputs.swept.empty()) return "";
+    const double tolerance = toleranceOf(outputs, scene.part);
+    const double error = sweptPlaceError(path, scene.part.radiusAboutOrigin());
+    if (error < kErrorPerTolerance * tolerance) return "";
+    return "--swept-tolerance is " + shownLength(tolerance) +
+           (outputs.sweptTolerance ? "" : ", 1 % of the part's diagonal") +
+           ", too fine for how exactly the part's places are known, expected at least " +
+           inUnit(shortenedUp(error / kErrorPerTolerance * (1 + 1e-6)));
 }
 
 void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {

@@ -34,6 +34,11 @@ struct PathOutputs {
     void tellUnwritten(const std::string& why) const;
 };
 
+/// Why the volume along the path cannot be known as finely as --swept-tolerance asks: the part's places have an error of their
+/// own. Empty where it can, or without --swept. A path of the start alone gives what holds for every path from there.
+std::string whySweptIsTooFine(const PathOutputs& outputs, const Scene& scene,
+                              const std::vector<PartState>& path);
+
 /// Declares --report, --export, --swept and --swept-tolerance.
 void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
 

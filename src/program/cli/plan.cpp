@@ -1,10 +1,11 @@
 // clearway plan: plans a path for a problem file and writes it.
 #include "clearway/planning/plan.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <exception>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/planning/objectives.h"
@@ -15,7 +16,6 @@
 #include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
 #include "program/cli/print_why_no_path.h"
-#include "program/cli/swept_tolerance.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
@@ -110,42 +110,61 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
     return line.parse(arguments);
 }
 
-Rows settingsRows(const planning::PlanOptions& options, const PlanReport& report) {
-    Rows rows = {{"planner", joined(report.planners) + ", seed " + std::to_string(options.seed)}};
-    if (options.iterations) {
-        rows.push_back({"repeatable",
-                        report.isRepeatable ? "yes" : "no: this planner does not give the same path again"});
-    }
-    rows.push_back({"motions", "certified along their whole length"});
-    rows.push_back({"floor", shownLength(report.floor)});
-    rows.push_back({"planning time", readable(report.planningSeconds) + " s"});
-    rows.push_back({"states checked", std::to_string(report.checks)});
-    return rows;
+Facts settingsFacts(const planning::PlanOptions& options, const PlanReport& report) {
+    return {{"planner", fmt::format("{}, seed {}", joined(report.planners), options.seed), "planners",
+             report.planners},
+            kept("seed", options.seed),
+            shownIf(options.iterations.has_value(),
+                    {"repeatable",
+                     report.isRepeatable ? "yes" : "no: this planner does not give the same path again"}),
+            {"motions", "certified along their whole length"},
+            {"floor", shownLength(report.floor)},
+            {"planning time", readable(report.planningSeconds) + " s", "planning_seconds",
+             toJson(report.planningSeconds)},
+            {"states checked", std::to_string(report.checks), "states_checked", report.checks},
+            kept("interrupted", report.isStopped),
+            kept("found", !report.path.empty()),
+            kept("warnings", report.warnings)};
 }
 
 std::string roomOf(const planning::RoomReport& room) {
-    return inUnit(shortened(room.before, 2)) + " before, " + inUnit(shortened(room.after, 3)) + " after " +
-           readable(room.seconds) + " s; --objective max_min_clearance looks for more";
+    return fmt::format("{} before, {} after {} s; --objective max_min_clearance looks for more",
+                       inUnit(shortened(room.before, 2)), inUnit(shortened(room.after, 3)),
+                       readable(room.seconds));
 }
 
-Rows pathRows(const PlanReport& report) {
-    Rows rows = {{"found by", report.foundBy}};
-    if (!report.objective.empty()) {
-        rows.push_back({"objective", report.objective + ", cost " + readable(report.cost)});
-    }
-    if (report.room) rows.push_back({"room", roomOf(*report.room)});
-    rows.push_back({"finishing time", readable(report.finishingSeconds) + " s"});
-    rows.push_back({"states", std::to_string(report.path.size()) + ", " +
-                                  std::to_string(report.statesBefore) + " before simplifying"});
-    rows.push_back({"length", shownLength(report.length)});
-    rows.push_back({"turned", readable(report.turned * 180 / M_PI) + " degrees"});
-    return rows;
+/// file: that the path is written to.
+Facts pathFacts(const PlanReport& report, const std::string& file) {
+    const double degrees = report.turned * 180 / M_PI;
+    Facts facts = {
+        {"found by", report.foundBy, "found_by", report.foundBy},
+        shownIf(!report.objective.empty(),
+                {"objective", fmt::format("{}, cost {}", report.objective, readable(report.cost))}),
+        shownIf(report.room.has_value(), {"room", report.room ? roomOf(*report.room) : ""}),
+        {"finishing time", readable(report.finishingSeconds) + " s", "finishing_seconds",
+         toJson(report.finishingSeconds)},
+        {"states", fmt::format("{}, {} before simplifying", report.path.size(), report.statesBefore)},
+        {"length", shownLength(report.length)},
+        {"turned",
+         readable(degrees) + " degrees",
+         "path",
+         {{"file", file},
+          {"states", report.path.size()},
+          {"length", toJson(report.length)},
+          {"turned_degrees", toJson(degrees)}}}};
+    if (report.room)
+        facts.push_back(
+            kept("room", {{"before", toJson(report.room->before)}, {"after", toJson(report.room->after)}}));
+    return facts;
 }
 
-std::string proofOf(const ShutIn& shutIn) {
+Fact proofFact(const ShutIn& shutIn) {
     const std::string inside = shutIn.isStart ? "start" : "goal", outside = shutIn.isStart ? "goal" : "start";
-    return "the " + inside + " is inside '" + shutIn.obstacle + "', a closed surface, and the " + outside +
-           " is not";
+    return {"proof",
+            fmt::format("the {} is inside '{}', a closed surface, and the {} is not", inside, shutIn.obstacle,
+                        outside),
+            "proof",
+            {{"shut_in", inside}, {"obstacle", shutIn.obstacle}}};
 }
 
 /// A path that cannot be written after all is printed: the work is not lost.
@@ -223,7 +242,7 @@ void writeMiss(const PlanArguments& given, const PlanReport& report, const Probl
     const planning::NearestMiss& nearest = report.whyNoPath->nearest;
     if (!given.nearest.empty()) {
         writePath(nearest.path, problem.space, given.nearest);
-        printRow("nearest", given.nearest + ", segment " + std::to_string(nearest.gap + 1) + " is not valid");
+        printRow("nearest", fmt::format("{}, segment {} is not valid", given.nearest, nearest.gap + 1));
     }
     if (!outputs.report.empty()) {
         PathOutputs page;
@@ -247,40 +266,14 @@ planning::PathAudit printTrialPath(const std::vector<PartState>& path, const Pro
     return audit;
 }
 
-void printPath(const PlanReport& report, const Problem& problem, const Scene& scene,
-               const std::string& file) {
-    printRows(pathRows(report));
+void tellPath(const Facts& found, const PlanReport& report, const Problem& problem, const Scene& scene,
+              const std::string& file) {
+    tell(found);
     printAudit(report.audit, scene);
+    facts()["audit"] = toJson(report.audit);
     if (report.isStopped) printRow("interrupted", "the path is the best so far");
     writeOrPrint(report.path, problem.space, file);
     printRow("path", file);
-}
-
-void tellFacts(const PlanArguments& given, const PlanReport& report, const Scene& scene,
-               const std::vector<FoundOverlap>& overlaps) {
-    tellScene(scene);
-    Json& all = facts();
-    all["planners"] = report.planners;
-    all["seed"] = given.plan.seed;
-    all["planning_seconds"] = toJson(report.planningSeconds);
-    all["states_checked"] = report.checks;
-    all["interrupted"] = report.isStopped;
-    all["found"] = !report.path.empty();
-    all["warnings"] = report.warnings;
-    if (report.shutIn)
-        all["proof"] = {{"shut_in", report.shutIn->isStart ? "start" : "goal"},
-                        {"obstacle", report.shutIn->obstacle}};
-    if (report.path.empty()) return;
-    all["found_by"] = report.foundBy;
-    all["finishing_seconds"] = toJson(report.finishingSeconds);
-    all["path"] = {{"file", given.path},
-                   {"states", report.path.size()},
-                   {"length", toJson(report.length)},
-                   {"turned_degrees", toJson(report.turned * 180 / M_PI)}};
-    if (report.room)
-        all["room"] = {{"before", toJson(report.room->before)}, {"after", toJson(report.room->after)}};
-    all["audit"] = toJson(report.audit);
-    all["overlaps"] = toJson(overlaps);
 }
 
 /// Writes the files about the path; returns false when interrupted. A swept volume that is too fine for this path is
@@ -300,24 +293,24 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene
                  OldPath& oldPath) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
-    printMesh("part", scene.part);
-    printObstacles(scene);
-    Rows figures = settingsRows(given.plan, report);
-    printRows(figures);
+    tellScene(scene);
+    Facts figures = settingsFacts(given.plan, report);
+    tell(figures);
     std::vector<PartState> path = report.path;
     bool isValid = false;
     if (!path.empty()) {
         // The same audit as that of `clearway check`, so that both name the same closest pair.
         report.audit = planning::checkPath(problem, scene, path).audit;
         isValid = report.audit.isValid();
-        printPath(report, problem, scene, given.path);
-        for (const auto& row : pathRows(report)) figures.push_back(row);
+        const Facts found = pathFacts(report, given.path);
+        tellPath(found, report, problem, scene, given.path);
+        figures.insert(figures.end(), found.begin(), found.end());
     } else {
         printRow("path", report.shutIn          ? "none: there is none"
                          : report.isStopped     ? "none, interrupted"
                          : given.explainSeconds ? "none found so far"
                                                 : "none found");
-        if (report.shutIn) printRow("proof", proofOf(*report.shutIn));
+        if (report.shutIn) tell({proofFact(*report.shutIn)});
         if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scene);
         if (!path.empty()) {
             report.audit = printTrialPath(path, problem, scene, given.path);
@@ -329,11 +322,11 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene
     const std::vector<FoundOverlap> overlaps =
         path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
     printOverlaps(overlaps);
+    if (!report.path.empty()) facts()["overlaps"] = toJson(overlaps);
     if (isValid) requireAllowed(overlaps);
-    tellFacts(given, report, scene, overlaps);
-    if (path.empty()) writeMiss(given, report, problem, scene, figures);
-    const bool isWhole =
-        path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit, figures, overlaps);
+    if (path.empty()) writeMiss(given, report, problem, scene, rowsOf(figures));
+    const bool isWhole = path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit,
+                                                      rowsOf(figures), overlaps);
     requirePrinted();
     return !path.empty() && isValid && isWhole ? kDone : kAnswerIsNo;
 }

@@ -1,6 +1,8 @@
 // clearway query: asks one question at every pose of a file; writes the answers as a table, and their cost.
 #include "clearway/query.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -68,20 +70,7 @@ Answer askAbout(std::size_t pose, const Question& question, const Model& part, c
 }
 
 std::string outOf(std::size_t count, const QueryRun& run) {
-    return std::to_string(count) + " of " + std::to_string(run.answers.size());
-}
-
-void printDistances(const QueryRun& run) {
-    const DistanceStatistics all = statisticsOf(run.answers);
-    const auto row = [&](const char* label, std::size_t pose) {
-        printRow(label, readable(run.answers[pose].distance.distance) + " at pose " + std::to_string(pose));
-    };
-    printRow("colliding", outOf(all.colliding, run));
-    if (all.beyond > 0) printRow("beyond the cap", outOf(all.beyond, run));
-    if (!all.least) return;
-    row("least distance", *all.least);
-    row("most distance", *all.most);
-    printRow("widest interval", readable(all.widest));
+    return fmt::format("{} of {}", count, run.answers.size());
 }
 
 std::string quotedNameAt(const Model& model, std::int64_t component) {
@@ -95,12 +84,10 @@ std::string describe(const Question& question, const Answer& answer, const Model
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
-    return readable(found.distance) + ", on the part " + quotedNameAt(part, found.witness->partComponent) +
-           "triangle " + std::to_string(found.witness->partTriangle) + " at " +
-           readable(found.witness->pointOnPart) + ", on the environment " +
-           quotedNameAt(environment, found.witness->environmentComponent) + "triangle " +
-           std::to_string(found.witness->environmentTriangle) + " at " +
-           readable(found.witness->pointOnEnvironment);
+    return fmt::format("{}, on the part {}triangle {} at {}, on the environment {}triangle {} at {}",
+                       readable(found.distance), quotedNameAt(part, found.witness->partComponent), found.witness->partTriangle,
+                       readable(found.witness->pointOnPart), quotedNameAt(environment, found.witness->environmentComponent),
+                       found.witness->environmentTriangle, readable(found.witness->pointOnEnvironment));
 }
 
 void printFirst(const Question& question, const QueryRun& run, const Model& part, const Model& environment) {
@@ -110,7 +97,7 @@ void printFirst(const Question& question, const QueryRun& run, const Model& part
     if (question.kind == Question::Kind::kDistance && shown > 0)
         printRow("", "(closest points in the environment's frame; poses and triangles count from 0)");
     if (shown < run.answers.size())
-        printRow("", std::to_string(run.answers.size() - shown) + " more poses; --csv or --json writes all");
+        printRow("", fmt::format("{} more poses; --csv or --json writes all", run.answers.size() - shown));
 }
 
 /// Asks at every pose, in the file's order or shuffled, with one workspace.
@@ -127,24 +114,45 @@ QueryRun ask(const Question& question, const Model& part, const Model& environme
     return run;
 }
 
-void printSummary(const Question& question, const QueryRun& run) {
-    if (question.kind == Question::Kind::kDistance) return printDistances(run);
-    const bool isWithin = question.kind == Question::Kind::kWithin;
-    printRow(isWithin ? "within " + readable(question.within) : "colliding", outOf(countYes(run), run));
+/// How many answers are yes; for distances, what they are like.
+Facts answersFacts(const Question& question, const QueryRun& run) {
+    if (question.kind != Question::Kind::kDistance) {
+        const std::size_t yes = countYes(run);
+        if (question.kind == Question::Kind::kCollide)
+            return {{"colliding", outOf(yes, run), "colliding", yes}};
+        return {{"within " + readable(question.within), outOf(yes, run), "within", yes}};
+    }
+    const DistanceStatistics all = statisticsOf(run.answers);
+    const auto at = [&](const char* label, const char* name, const std::optional<std::size_t>& pose) -> Fact {
+        if (!pose) return kept(name, {});
+        const double distance = run.answers[*pose].distance.distance;
+        return {label,
+                fmt::format("{} at pose {}", readable(distance), *pose),
+                name,
+                {{"distance", toJson(distance)}, {"pose", *pose}}};
+    };
+    return {{"colliding", outOf(all.colliding, run), "colliding", all.colliding},
+            shownIf(all.beyond > 0, {"beyond the cap", outOf(all.beyond, run), "beyond_cap", all.beyond}),
+            at("least distance", "least", all.least),
+            at("most distance", "most", all.most),
+            shownIf(all.least.has_value(),
+                    {"widest interval", readable(all.widest), "widest_interval", toJson(all.widest)})};
 }
 
 void printCosts(const QueryRun& run, const Model& part, const Model& environment) {
-    const double count = static_cast<double>(run.answers.size());
-    const double bytes = static_cast<double>(part.report().tree.bytes + environment.report().tree.bytes);
-    const double triangles = static_cast<double>(part.report().triangles + environment.report().triangles);
-    printRow("queries/s", readable(queriesPerSecond(run)));
-    printRow("volume tests per query", readable(static_cast<double>(run.counters.volumeTests) / count));
-    printRow("triangle tests per query", readable(static_cast<double>(run.counters.triangleTests) / count));
-    printRow("pairs in double per query", readable(static_cast<double>(run.counters.refinedPairs) / count));
-    printRow("  in double-double", readable(static_cast<double>(run.counters.doubleDoublePairs) / count));
-    printRow("  exact", readable(static_cast<double>(run.counters.exactPairs) / count));
-    printRow("bytes per triangle", readable(bytes / triangles));
-    printRow("build seconds", readable(part.report().seconds + environment.report().seconds));
+    const BuildReport &ofPart = part.report(), &ofEnvironment = environment.report();
+    const auto perQuery = [&](std::uint64_t count) {
+        return readable(static_cast<double>(count) / static_cast<double>(run.answers.size()));
+    };
+    const double bytes = static_cast<double>(ofPart.tree.bytes + ofEnvironment.tree.bytes);
+    const double triangles = static_cast<double>(ofPart.triangles + ofEnvironment.triangles);
+    printRows({{"volume tests per query", perQuery(run.counters.volumeTests)},
+               {"triangle tests per query", perQuery(run.counters.triangleTests)},
+               {"pairs in double per query", perQuery(run.counters.refinedPairs)},
+               {"  in double-double", perQuery(run.counters.doubleDoublePairs)},
+               {"  exact", perQuery(run.counters.exactPairs)},
+               {"bytes per triangle", readable(bytes / triangles)},
+               {"build seconds", readable(ofPart.seconds + ofEnvironment.seconds)}});
 }
 
 struct QueryArguments {
@@ -236,11 +244,15 @@ int query(const Arguments& arguments) {
     describeMesh("environment", environment);
     printRow("trees", treeDescription(given.trees.options));
     printRow("instruction set", currentTarget());
-    printRow("poses", std::to_string(poses.poses.size()) + ", " + std::to_string(poses.projected) +
-                          " of them projected to the nearest rotation");
+    printRow("poses", fmt::format("{}, {} of them projected to the nearest rotation", poses.poses.size(),
+                                  poses.projected));
     printFirst(given.question, run, part, environment);
-    printSummary(given.question, run);
-    tellAnswers(given.question, poses.poses, run, part, environment);
+    Facts statistics = answersFacts(given.question, run);
+    const double rate = queriesPerSecond(run);
+    statistics.push_back({"queries/s", readable(rate), "queries_per_second", toJson(rate)});
+    keepAnswers(given.question, poses.poses, run, part, environment);
+    printRows(rowsOf(statistics));
+    facts()["statistics"] = toJson(statistics);
     printCosts(run, part, environment);
     requirePrinted();
     if (!given.csv.empty()) writeAnswers(given.question, poses.poses, run, part, environment, given.csv);

@@ -1,7 +1,8 @@
 #include "program/cli/query_answers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "core/number.h"
@@ -29,25 +30,11 @@ Json answerFacts(const Question& question, const Answer& answer, const Model& pa
     return json;
 }
 
-Json distanceFacts(const QueryRun& run) {
-    const DistanceStatistics all = statisticsOf(run.answers);
-    const auto at = [&](const std::optional<std::size_t>& pose) {
-        if (!pose) return Json();
-        return Json{{"distance", toJson(run.answers[*pose].distance.distance)}, {"pose", *pose}};
-    };
-    return {{"colliding", all.colliding},
-            {"beyond_cap", all.beyond},
-            {"least", at(all.least)},
-            {"most", at(all.most)},
-            {"widest_interval", toJson(all.widest)}};
-}
-
 std::string rowOf(const DistanceResult& result) {
-    return formatNumber(result.distance) + "," + formatNumber(result.lower) + "," +
-           formatNumber(result.upper) + "," +
-           (isBeyondCap(result) ? "-1,-1"
-                                : std::to_string(result.witness->partTriangle) + "," +
-                                      std::to_string(result.witness->environmentTriangle));
+    const auto& witness = result.witness;
+    return fmt::format("{},{},{},{},{}", formatNumber(result.distance), formatNumber(result.lower),
+                       formatNumber(result.upper), witness ? witness->partTriangle : -1,
+                       witness ? witness->environmentTriangle : -1);
 }
 
 /// The names and closest points of an answer; empty cells beyond the cap.
@@ -101,7 +88,7 @@ std::string nameAt(const Model& model, std::int64_t component) {
                : components[static_cast<std::size_t>(component)].name;
 }
 
-void tellAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
+void keepAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
                  const Model& part, const Model& environment) {
     Json& all = facts();
     all["part"] = toJson(part);
@@ -109,10 +96,6 @@ void tellAnswers(const Question& question, const std::vector<Pose>& poses, const
     for (const Pose& pose : poses) all["poses"].push_back(toJson(pose));
     for (const Answer& answer : run.answers)
         all["answers"].push_back(answerFacts(question, answer, part, environment));
-    all["statistics"] = question.kind == Question::Kind::kDistance  ? distanceFacts(run)
-                        : question.kind == Question::Kind::kCollide ? Json{{"colliding", countYes(run)}}
-                                                                    : Json{{"within", countYes(run)}};
-    all["statistics"]["queries_per_second"] = toJson(queriesPerSecond(run));
 }
 
 void writeAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,

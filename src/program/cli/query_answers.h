@@ -50,8 +50,8 @@ double queriesPerSecond(const QueryRun& run);
 /// The component's name; empty for a mesh without components.
 std::string nameAt(const Model& model, std::int64_t component);
 
-/// Keeps the meshes, the poses, an answer for each, and the statistics among the facts.
-void tellAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
+/// Keeps the meshes, the poses and an answer for each among the facts.
+void keepAnswers(const Question& question, const std::vector<Pose>& poses, const QueryRun& run,
                  const Model& part, const Model& environment);
 
 /// Writes a header and one row a pose, with 17 digits.

@@ -1,9 +1,10 @@
 #include "program/cli/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "clearway/query.h"
@@ -81,28 +82,26 @@ std::vector<PartState> endsOf(const Problem& problem) {
     return {problem.start, problem.goal};
 }
 
-void printPose(double share, const Scene& scene, const PoseClearance& at, const WhyInvalid& why) {
-    const std::string label = "pose at " + readable(share);
-    if (!why.isValid()) return printRow(label, "NOT valid: " + why.words());
-    const MeshNames names = distinctMeshNames(scene, at.nearest);
-    const std::string between = !at.nearest.witness
-                                    ? " or more"
-                                    : ", between '" + names.part + "' and '" + names.environment + "'";
-    printRow(label, std::isinf(at.lower) ? "nothing to keep clear of"
-                                         : "clearance " + shownLength(at.lower) + between + leftOutAt(at));
-}
-
-Json placeFacts(double share, const PartState& state) {
-    return {{"share", share}, {"pose", toJson(state)}};
-}
-
-void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at) {
-    const MeshNames names = distinctMeshNames(scene, at.nearest);
-    Json json = placeFacts(share, state);
-    json["valid"] = at.isValid();
-    json["clearance"] = toJson(at.lower);
-    json["pair"] = closestPair(at.nearest, names.part, names.environment);
+/// Prints a row about a pose at a share of the path, and keeps its value.
+void tellPose(double share, const PartState& state, const std::string& shown, const Json& found) {
+    printRow("pose at " + readable(share), shown);
+    Json json = {{"share", share}, {"pose", toJson(state)}};
+    json.update(found);
     facts()["poses"].push_back(json);
+}
+
+void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at,
+              const WhyInvalid& why) {
+    const MeshNames names = distinctMeshNames(scene, at.nearest);
+    const std::string between =
+        !at.nearest.witness ? " or more" : fmt::format(", between '{}' and '{}'", names.part, names.environment);
+    tellPose(share, state,
+             !why.isValid()         ? "NOT valid: " + why.words()
+             : std::isinf(at.lower) ? "nothing to keep clear of"
+                                    : "clearance " + shownLength(at.lower) + between + leftOutAt(at),
+             {{"valid", at.isValid()},
+              {"clearance", toJson(at.lower)},
+              {"pair", closestPair(at.nearest, names.part, names.environment)}});
 }
 
 /// Throws before long work when an output cannot be written.
@@ -125,9 +124,8 @@ bool writePicture(const RenderArguments& given, const Model& part, const FilmSce
         render::render(scene.part, scene.environment, poses, scene.way, given.drawing);
     if (picture.pixels.empty()) return printRow("picture", "none, interrupted"), false;
     render::writePng(picture, given.out);
-    facts()["picture"] = given.out;
-    printRow("picture",
-             given.out + ", " + std::to_string(picture.width) + " x " + std::to_string(picture.height));
+    tell({{"picture", fmt::format("{}, {} x {}", given.out, picture.width, picture.height), "picture",
+           given.out}});
     return true;
 }
 
@@ -142,16 +140,14 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
         if (clearance.isOutOfReach(X_environmentPart)) {
             poses.push_back({state, std::numeric_limits<double>::infinity()});
             if (!isPrinted) continue;
-            printRow("pose at " + readable(share), "out of the problem's bounds");
-            facts()["poses"].push_back(placeFacts(share, state));
+            tellPose(share, state, "out of the problem's bounds", Json::object());
             continue;
         }
         const PoseClearance at = clearance.at(X_environmentPart);
         poses.push_back({state, at.lower});
         poses.back().isInContact = !at.isValid();
-        if (!isPrinted) continue;
-        printPose(share, clearance.scene(), at, clearance.whyInvalid(X_environmentPart, at));
-        tellPose(share, state, clearance.scene(), at);
+        if (isPrinted)
+            tellPose(share, state, clearance.scene(), at, clearance.whyInvalid(X_environmentPart, at));
     }
     for (std::size_t i = 0; i < poses.size(); ++i) {
         if (shares[i] == 0) poses[i].role = render::PoseRole::kStart;

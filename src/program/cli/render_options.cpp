@@ -1,5 +1,7 @@
 #include "program/cli/render_options.h"
 
+#include <fmt/format.h>
+
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 
@@ -33,8 +35,7 @@ void readSize(const std::string& text, render::RenderOptions& drawing) {
     const auto height = parseInteger(x == std::string::npos ? "" : text.substr(x + 1));
     for (const auto& side : {width, height}) {
         if (side && *side >= kLeastSide && *side <= kLargestSide) continue;
-        throw Expected{"WIDTHxHEIGHT, each " + std::to_string(kLeastSide) + " to " +
-                       std::to_string(kLargestSide)};
+        throw Expected{fmt::format("WIDTHxHEIGHT, each {} to {}", kLeastSide, kLargestSide)};
     }
     drawing.width = static_cast<int>(*width);
     drawing.height = static_cast<int>(*height);

@@ -1,5 +1,7 @@
 #include "program/options/command_line.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -10,7 +12,7 @@
 
 #include "core/number.h"
 #include "core/text.h"
-#include "program/options/man_page.h"
+#include "program/options/help.h"
 
 namespace clearway::cli {
 
@@ -84,7 +86,7 @@ double nonNegativeNumber(const std::string& text) {
 std::int64_t integerFrom(const std::string& text, std::int64_t least, std::int64_t most) {
     const std::optional<std::int64_t> value = parseInteger(text);
     if (!value || *value < least || *value > most) {
-        throw Expected{"an integer from " + std::to_string(least) + " to " + std::to_string(most)};
+        throw Expected{fmt::format("an integer from {} to {}", least, most)};
     }
     return *value;
 }

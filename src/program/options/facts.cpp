@@ -1,10 +1,12 @@
 #include "program/options/facts.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "program/options/print.h"
+#include "core/text.h"
 
 namespace clearway::cli {
 
@@ -15,6 +17,8 @@ std::string& factsFile() {
     return file;
 }
 
+constexpr std::size_t kMostNames = 6;  ///< most names of obstacles in one row
+
 const char* wordFor(planning::MotionVerdict verdict) {
     switch (verdict) {
         case planning::MotionVerdict::kValid:
@@ -24,6 +28,40 @@ const char* wordFor(planning::MotionVerdict verdict) {
         default:
             return "invalid";
     }
+}
+
+Fact meshFact(const std::string& label, const Model& model) {
+    const std::size_t leftOut = model.report().unreachableTriangles;
+    return {label,
+            fmt::format("{}, {}{}", model.origin().file, counted(model.report().triangles, "triangle"),
+                        leftOut > 0 ? fmt::format(", {} out of reach left out", leftOut) : ""),
+            label, toJson(model)};
+}
+
+/// Obstacles that count alike. json: what is known of them beside how they count. The fact has no name, because it belongs in
+/// a list.
+template <class Group>
+Fact obstacleFact(const std::vector<Component>& components, std::size_t triangles, double overlap,
+                  const Group& group, Json json) {
+    json["solid"] = group.solids != nullptr;
+    json["ignored_near_start"] = group.isIgnoredAtStart;
+    json["ignored_near_goal"] = group.isIgnoredAtGoal;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < components.size() && i < kMostNames; ++i)
+        names.push_back("'" + components[i].name + "'");
+    const std::size_t more = components.size() - names.size();
+    const bool atStart = group.isIgnoredAtStart, atGoal = group.isIgnoredAtGoal;
+    const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
+                              : atStart         ? ", ignored near the start"
+                              : atGoal          ? ", ignored near the goal"
+                                                : "";
+    const std::string rule = overlap > 0
+                                 ? "overlap " + statedLength(overlap)
+                                 : "margin " + statedLength(group.margin) + (group.solids ? ", solid" : "");
+    return {"obstacle",
+            fmt::format("{}{}: {}, {}{}", joined(names), more > 0 ? fmt::format(" and {} more", more) : "",
+                        counted(triangles, "triangle"), rule, where),
+            "", std::move(json)};
 }
 
 }  // namespace
@@ -59,23 +97,84 @@ void tellProblem(const Problem& problem) {
     facts()["unit"] = problem.unit.empty() ? Json() : Json(problem.unit);
 }
 
-void tellScene(const Scene& scene) {
-    facts()["part"] = toJson(scene.part);
-    facts()["obstacles"] = Json::array();
-    for (const Obstacle& obstacle : scene.obstacles) {
-        Json json = toJson(obstacle.model);
-        for (const Component& component : obstacle.model.components())
-            json["names"].push_back(component.name);
-        json["margin"] = toJson(obstacle.margin);
-        if (obstacle.shrunk) {
-            json["overlap"] = toJson(obstacle.shrunk->overlap);
-            json["overlap_tolerance"] = toJson(obstacle.shrunk->tolerance);
-        }
-        json["solid"] = obstacle.solids != nullptr;
-        json["ignored_near_start"] = obstacle.isIgnoredAtStart;
-        json["ignored_near_goal"] = obstacle.isIgnoredAtGoal;
-        facts()["obstacles"].push_back(json);
+Fact kept(const std::string& name, Json value) {
+    return {"", "", name, std::move(value)};
+}
+
+Fact shownIf(bool isShown, Fact fact) {
+    if (!isShown) fact.label.clear();
+    return fact;
+}
+
+Rows rowsOf(const Facts& table) {
+    Rows rows;
+    for (const Fact& fact : table) {
+        if (!fact.label.empty()) rows.push_back({fact.label, fact.shown});
     }
+    return rows;
+}
+
+Json toJson(const Facts& table) {
+    Json json = Json::object();
+    for (const Fact& fact : table) {
+        if (!fact.name.empty()) json[fact.name] = fact.value;
+    }
+    return json;
+}
+
+void tell(const Facts& table) {
+    printRows(rowsOf(table));
+    facts().update(toJson(table));
+}
+
+void tellScene(const Scene& scene) {
+    const bool isPlain = scene.obstacles.size() == 1 && !scene.obstacles[0].solids && !scene.startContact &&
+                         !scene.goalContact && scene.ignoredBox.isEmpty();
+    tell({meshFact("part", scene.part)});
+    Json& obstacles = facts()["obstacles"] = Json::array();
+    for (const Obstacle& obstacle : scene.obstacles) {
+        Fact fact = meshFact("environment", obstacle.model);
+        printRow(fact.label, fact.shown);
+        const std::vector<Component>& components = obstacle.model.components();
+        for (const Component& component : components) fact.value["names"].push_back(component.name);
+        fact.value["margin"] = toJson(obstacle.margin);
+        if (obstacle.shrunk) {
+            fact.value["overlap"] = toJson(obstacle.shrunk->overlap);
+            fact.value["overlap_tolerance"] = toJson(obstacle.shrunk->tolerance);
+        }
+        fact = obstacleFact(components, obstacle.model.report().triangles,
+                            obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle, fact.value);
+        if (!isPlain) printRow(fact.label, fact.shown);
+        obstacles.push_back(fact.value);
+    }
+    if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
+    printRow("margin", (scene.obstacles.size() == 1 ? "" : "by obstacle, at most ") +
+                           statedLength(scene.largestMargin()));
+    if (scene.startContact) printRow("contact at start", statedLength(scene.startContact->distance));
+    if (scene.goalContact) printRow("contact at goal", statedLength(scene.goalContact->distance));
+}
+
+void tellObstacles(const ObstacleGroups& obstacles) {
+    Json& all = facts()["obstacles"] = Json::array();
+    for (const ObstacleGroup& group : obstacles.groups) {
+        const Fact fact =
+            obstacleFact(group.mesh.components, group.mesh.triangles.size(), group.overlap, group,
+                         {{"components", toJson(group.mesh.components)},
+                          {"triangles", group.mesh.triangles.size()},
+                          {"margin", toJson(group.margin)},
+                          {"overlap", toJson(group.overlap)}});
+        printRow(fact.label, fact.shown);
+        all.push_back(fact.value);
+    }
+    for (const std::string& name : obstacles.ignored) printRow("ignored", "'" + name + "'");
+    for (const std::string& note : obstacles.notes) printRow("note", note);
+}
+
+Json toJson(const std::vector<Component>& components) {
+    Json json = Json::array();
+    for (const Component& component : components)
+        json.push_back({{"name", component.name}, {"triangles", component.triangleCount}});
+    return json;
 }
 
 Json toJson(double number) {

@@ -1,6 +1,7 @@
 #include "program/options/help.h"
 
 #include <assimp/version.h>
+#include <fmt/format.h>
 #include <ompl/config.h>
 
 #if __has_include(<embree4/rtcore_config.h>)
@@ -8,6 +9,11 @@
 #else
 #include <embree3/rtcore_config.h>
 #endif
+
+#include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <iostream>
 
 #include "core/text.h"
 
@@ -61,7 +67,24 @@ Poses      one a line: x y z qx qy qz qw, or 12 numbers: the rotation's rows and
 };
 
 std::string version(unsigned major, unsigned minor, unsigned patch) {
-    return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+    return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
+/// The text for man: a hyphen is a minus, a line that begins with a dot is no macro.
+std::string roff(std::string text) {
+    boost::replace_all(text, "\\", "\\e");
+    boost::replace_all(text, "-", "\\-");
+    boost::replace_all(text, "\n.", "\n\\&.");
+    return text;
+}
+
+/// Without its full stop, on one line.
+std::string firstSentence(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    const std::size_t end = text.find(". ");
+    text = text.substr(0, end);
+    if (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
 }
 
 }  // namespace
@@ -101,6 +124,22 @@ _clearway() {
 }
 complete -o default -F _clearway clearway clearway-scene clearway-study
 )";
+}
+
+void printManPage(const ManPage& page) {
+    std::cout << ".TH " << boost::to_upper_copy(page.name) << " 1 \"\" \"clearway\"\n"
+              << ".SH NAME\n"
+              << roff(page.name) << " \\- " << roff(firstSentence(page.purpose)) << "\n"
+              << ".SH SYNOPSIS\n"
+              << roff(page.usage) << "\n"
+              << ".SH DESCRIPTION\n"
+              << roff(page.purpose) << "\n";
+    if (!page.rows.empty()) std::cout << ".SH " << page.heading << "\n";
+    for (const auto& [words, help] : page.rows)
+        std::cout << ".TP\n.B " << roff(words) << "\n" << roff(help) << "\n";
+    std::cout
+        << ".SH EXIT STATUS\n0: done; 1: the answer is no; 2: bad input or usage, with one line on standard "
+           "error.\n";
 }
 
 }  // namespace clearway::cli

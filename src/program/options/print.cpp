@@ -1,17 +1,16 @@
 #include "program/options/print.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
 #include "core/number.h"
 #include "core/replace_file.h"
-#include "core/text.h"
 #include "mesh/check.h"
 #include "program/options/command_line.h"
 
@@ -20,20 +19,11 @@ namespace clearway::cli {
 namespace {
 
 constexpr std::size_t kLabelWidth = 20;
-constexpr std::size_t kMostNames = 6;  // most names of obstacles in one row
 
 constexpr double kRounded = 1e-12;  // a value that far above a number of four digits is shown as that number
 
 // Numbers from here on are shown whole, and with an exponent where a double has no digits left.
 constexpr double kFirstLong = 9999.5, kFirstWithoutExponent = 1e15;
-
-/// A group of obstacles that count alike.
-struct ObstacleRow {
-    const std::vector<Component>& components;
-    std::size_t triangles;
-    double margin, overlap;
-    bool isSolid, atStart, atGoal;
-};
 
 std::string& claimedBy() {
     static std::string option;
@@ -51,36 +41,16 @@ std::ostream& standardOutput() {
     return stream;
 }
 
-void printObstacle(const ObstacleRow& row) {
-    std::vector<std::string> names;
-    for (const Component& component : row.components) names.push_back("'" + component.name + "'");
-    const std::size_t shown = std::min(names.size(), kMostNames);
-    const std::string more =
-        shown < names.size() ? " and " + std::to_string(names.size() - shown) + " more" : "";
-    names.resize(shown);
-    const char* const where = row.atStart && row.atGoal ? ", ignored near the start and the goal"
-                              : row.atStart             ? ", ignored near the start"
-                              : row.atGoal              ? ", ignored near the goal"
-                                                        : "";
-    const std::string rule = row.overlap > 0
-                                 ? "overlap " + statedLength(row.overlap)
-                                 : "margin " + statedLength(row.margin) + (row.isSolid ? ", solid" : "");
-    printRow("obstacle",
-             joined(names) + more + ": " + counted(row.triangles, "triangle") + ", " + rule + where);
-}
-
 }  // namespace
 
 std::string readable(double value) {
     const double size = std::abs(value);
     const bool isLong = size >= kFirstLong && size < kFirstWithoutExponent;
-    char text[32];
-    std::snprintf(text, sizeof text, isLong ? "%.0f" : "%.4g", value == 0 ? 0.0 : value);  // -0 reads as 0
-    return text;
+    return isLong ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value + 0.0);  // -0 + 0 reads as 0
 }
 
 std::string readable(const Vector3& v) {
-    return "(" + readable(v.x()) + ", " + readable(v.y()) + ", " + readable(v.z()) + ")";
+    return fmt::format("({}, {}, {})", readable(v.x()), readable(v.y()), readable(v.z()));
 }
 
 std::string readable(const Box& box) {
@@ -88,9 +58,7 @@ std::string readable(const Box& box) {
 }
 
 std::string shortened(double value, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, towardsZero(value, digits) + 0.0);  // -0 reads as 0
-    return text;
+    return fmt::format("{:.{}g}", towardsZero(value, digits) + 0.0, digits);  // -0 + 0 reads as 0
 }
 
 std::string shortenedUp(double value) {
@@ -123,8 +91,8 @@ std::string statedLength(double value) {
 
 std::string shownState(const PartState& state) {
     const auto& q = state.rotation;
-    return "position " + shownPlace(state.position) + ", quaternion (x, y, z, w) (" + readable(q.x()) + ", " +
-           readable(q.y()) + ", " + readable(q.z()) + ", " + readable(q.w()) + ")";
+    return fmt::format("position {}, quaternion (x, y, z, w) ({}, {}, {}, {})", shownPlace(state.position),
+                       readable(q.x()), readable(q.y()), readable(q.z()), readable(q.w()));
 }
 
 std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
@@ -138,42 +106,6 @@ void printRow(const std::string& label, const std::string& value) {
 
 void printRows(const Rows& rows) {
     for (const auto& [label, value] : rows) printRow(label, value);
-}
-
-void printObstacles(const Scene& scene) {
-    const bool isPlain = scene.obstacles.size() == 1 && !scene.obstacles[0].solids && !scene.startContact &&
-                         !scene.goalContact && scene.ignoredBox.isEmpty();
-    for (const Obstacle& obstacle : scene.obstacles) {
-        printMesh("environment", obstacle.model);
-        if (isPlain) continue;
-        printObstacle({obstacle.model.components(), obstacle.model.report().triangles, obstacle.margin,
-                       obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle.solids != nullptr,
-                       obstacle.isIgnoredAtStart, obstacle.isIgnoredAtGoal});
-    }
-    if (scene.obstacles.empty()) printRow("environment", "every obstacle is ignored");
-    printRow("margin", scene.obstacles.size() == 1
-                           ? statedLength(scene.largestMargin())
-                           : "by obstacle, at most " + statedLength(scene.largestMargin()));
-    const auto printContact = [](const char* where, const std::optional<ContactZone>& contact) {
-        if (contact) printRow(where, statedLength(contact->distance));
-    };
-    printContact("contact at start", scene.startContact);
-    printContact("contact at goal", scene.goalContact);
-}
-
-void printObstacles(const ObstacleGroups& obstacles) {
-    for (const ObstacleGroup& group : obstacles.groups) {
-        printObstacle({group.mesh.components, group.mesh.triangles.size(), group.margin, group.overlap,
-                       group.solids != nullptr, group.isIgnoredAtStart, group.isIgnoredAtGoal});
-    }
-    for (const std::string& name : obstacles.ignored) printRow("ignored", "'" + name + "'");
-    for (const std::string& note : obstacles.notes) printRow("note", note);
-}
-
-void printMesh(const std::string& label, const Model& model) {
-    const std::size_t leftOut = model.report().unreachableTriangles;
-    printRow(label, model.origin().file + ", " + counted(model.report().triangles, "triangle") +
-                        (leftOut > 0 ? ", " + std::to_string(leftOut) + " out of reach left out" : ""));
 }
 
 std::string unitName(double metres) {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 
@@ -45,13 +44,6 @@ void printRow(const std::string& label, const std::string& value);
 
 using Rows = std::vector<std::pair<std::string, std::string>>;  ///< labels and values
 void printRows(const Rows& rows);
-
-/// Prints a row with the model's file, its triangles, and how many triangles were left out.
-void printMesh(const std::string& label, const Model& model);
-
-/// Prints rows about the obstacles (by name when rules tell them apart), the margin and the contact zones.
-void printObstacles(const Scene& scene);
-void printObstacles(const ObstacleGroups& obstacles);
 
 /// "mm" for 0.001; "0.3 m" for a unit that problems cannot state.
 std::string unitName(double metres);

@@ -5,7 +5,6 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "clearway/planning/plan.h"
 #include "clearway/shrink.h"

@@ -1,5 +1,7 @@
 #include "program/options/shared_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <boost/algorithm/string/case_conv.hpp>
@@ -129,9 +131,8 @@ void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
 }
 
 std::string treeDescription(const BuildOptions& options) {
-    return options.generalSplit + ", fitted by " + options.fit + ", leaves of up to " +
-           std::to_string(options.leafSize) + " split by " + options.leafSplit + ", " +
-           std::to_string(options.nodeWidth) + " wide";
+    return fmt::format("{}, fitted by {}, leaves of up to {} split by {}, {} wide", options.generalSplit,
+                       options.fit, options.leafSize, options.leafSplit, options.nodeWidth);
 }
 
 void addCache(CommandLine& commandLine, TreeChoice& choice) {

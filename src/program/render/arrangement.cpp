@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "program/render/axes.h"
 #include "program/render/marks.h"
 #include "program/render/samples.h"
 

@@ -14,9 +14,6 @@ namespace clearway::render {
 /// The things beside the environment that a picture may show.
 enum class Sign { kStart, kGoal, kBetween, kMoving, kWay, kContact, kOverlap };
 
-/// The words beside a sign in the legend.
-std::string wordsOf(Sign sign);
-
 /// The signs for these poses of the part; hasMover: one more pose changes from picture to picture.
 std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover);
 

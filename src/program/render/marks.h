@@ -1,4 +1,4 @@
-// Rings around places of interest, drawn over the picture, so that nothing hides them.
+// Rings around places of interest, and the axes' directions: drawn over the picture, so that nothing hides them.
 #pragma once
 
 #include <vector>
@@ -13,5 +13,9 @@ Colour markColour();
 /// Draws a ring around each point that the camera sees or that is hidden from it, not around those behind it.
 /// Points in the camera's coordinates.
 void drawMarks(const std::vector<Vector3f>& points, const Camera& camera, Image& image);
+
+/// Draws an arrow with its letter for each of x, y and z in the lower left corner, as the camera sees their directions from far
+/// away.
+void drawAxes(const Camera& camera, Image& image);
 
 }  // namespace clearway::render
