@@ -1,10 +1,10 @@
 // The module clearway for Python, without OMPL: its queries, and what the other sources bind. python/clearway/_core.pyi has the types.
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,17 +22,10 @@
 namespace clearway::python {
 namespace {
 
-Workspace& workspaceOfThread() {
-    thread_local Workspace workspace;
-    return workspace;
-}
-
-/// Answers a query with the given workspace or, for None, with one of the calling thread.
-template <class Query>
-auto answer(OwnedWorkspace* workspace, const Query& query) {
-    Workspace& chosen = workspace ? workspace->mine() : workspaceOfThread();
-    const ReleasedGil released;
-    return query(chosen);
+/// The given workspace or, for None, that of the calling thread.
+Workspace& chosen(OwnedWorkspace* workspace) {
+    thread_local Workspace workspaceOfThread;
+    return workspace ? workspace->mine() : workspaceOfThread;
 }
 
 DistanceOptions optionsOf(double relativeError, double absoluteError, double cap) {
@@ -44,51 +37,34 @@ DistanceOptions optionsOf(double relativeError, double absoluteError, double cap
 }
 
 std::string describe(const DistanceResult& result) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "DistanceResult(lower=" << result.lower << ", upper=" << result.upper
-         << ", part_triangle=" << witnessOf(result).partTriangle
-         << ", environment_triangle=" << witnessOf(result).environmentTriangle << ")";
-    return text.str();
+    const Witness witness = witnessOf(result);
+    return fmt::format(
+        "DistanceResult(lower={:.17g}, upper={:.17g}, part_triangle={}, environment_triangle={})",
+        result.lower, result.upper, witness.partTriangle, witness.environmentTriangle);
+}
+
+/// (N, 3).
+py::array_t<double> pointsOf(const std::vector<Witness>& witnesses, Vector3 Witness::*member) {
+    py::array_t<double> column({static_cast<py::ssize_t>(witnesses.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < witnesses.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) column.mutable_at(i, axis) = (witnesses[i].*member)[axis];
+    }
+    return column;
 }
 
 /// The results of many poses, as arrays.
 py::dict arraysOf(const std::vector<DistanceResult>& results) {
-    const auto count = static_cast<py::ssize_t>(results.size());
-    const std::pair<const char*, double DistanceResult::*> lengths[] = {
-        {"lower", &DistanceResult::lower},
-        {"upper", &DistanceResult::upper},
-        {"distance", &DistanceResult::distance}};
-    const std::pair<const char*, Vector3 Witness::*> points[] = {
-        {"point_on_part", &Witness::pointOnPart}, {"point_on_environment", &Witness::pointOnEnvironment}};
-    const std::pair<const char*, std::int64_t Witness::*> ids[] = {
-        {"part_triangle", &Witness::partTriangle}, {"environment_triangle", &Witness::environmentTriangle}};
     py::dict arrays;
-    for (const auto& [name, member] : lengths) {
-        py::array_t<double> column(count);
-        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = results[i].*member;
-        arrays[name] = column;
-    }
-    for (const auto& [name, member] : points) {
-        py::array_t<double> column({count, py::ssize_t{3}});
-        for (py::ssize_t i = 0; i < count; ++i) {
-            const Vector3 point = witnessOf(results[i]).*member;
-            for (int axis = 0; axis < 3; ++axis) column.mutable_at(i, axis) = point[axis];
-        }
-        arrays[name] = column;
-    }
-    for (const auto& [name, member] : ids) {
-        py::array_t<std::int64_t> column(count);
-        for (py::ssize_t i = 0; i < count; ++i) column.mutable_at(i) = witnessOf(results[i]).*member;
-        arrays[name] = column;
-    }
+    std::vector<Witness> witnesses;
+    for (const DistanceResult& result : results) witnesses.push_back(witnessOf(result));
+    arrays["lower"] = columnOf<double>(results, &DistanceResult::lower);
+    arrays["upper"] = columnOf<double>(results, &DistanceResult::upper);
+    arrays["distance"] = columnOf<double>(results, &DistanceResult::distance);
+    arrays["point_on_part"] = pointsOf(witnesses, &Witness::pointOnPart);
+    arrays["point_on_environment"] = pointsOf(witnesses, &Witness::pointOnEnvironment);
+    arrays["part_triangle"] = columnOf<std::int64_t>(witnesses, &Witness::partTriangle);
+    arrays["environment_triangle"] = columnOf<std::int64_t>(witnesses, &Witness::environmentTriangle);
     return arrays;
-}
-
-py::array_t<bool> flagsOf(const std::vector<std::uint8_t>& flags) {
-    py::array_t<bool> column(static_cast<py::ssize_t>(flags.size()));
-    for (std::size_t i = 0; i < flags.size(); ++i) column.mutable_at(i) = flags[i] != 0;
-    return column;
 }
 
 void bindQueries(py::module_& module) {
@@ -110,12 +86,11 @@ environment's frame; triangles count as in the mesh. Beyond the cap upper and di
         .def_readonly("distance", &DistanceResult::distance,
                       R"(The distance of the two points; 0 on contact.)")
         .def_property_readonly(
-            "point_on_part",
-            [](const DistanceResult& result) { return arrayOf(witnessOf(result).pointOnPart); },
+            "point_on_part", [](const DistanceResult& result) { return witnessOf(result).pointOnPart; },
             R"((3,): the part's point of the closest pair, environment frame.)")
         .def_property_readonly(
             "point_on_environment",
-            [](const DistanceResult& result) { return arrayOf(witnessOf(result).pointOnEnvironment); },
+            [](const DistanceResult& result) { return witnessOf(result).pointOnEnvironment; },
             R"((3,): the environment's point of the closest pair, environment frame.)")
         .def_property_readonly(
             "part_triangle", [](const DistanceResult& result) { return witnessOf(result).partTriangle; },
@@ -129,51 +104,37 @@ environment's frame; triangles count as in the mesh. Beyond the cap upper and di
         .def("__repr__", &describe);
     module.def(
         "distance",
-        [](const Model& part, const Model& environment, const py::object& pose, OwnedWorkspace* workspace,
+        [](const Model& part, const Model& environment, const Pose& pose, OwnedWorkspace* workspace,
            double relativeError, double absoluteError, double cap) {
-            const Pose X = poseOf(pose);
-            const DistanceOptions options = optionsOf(relativeError, absoluteError, cap);
-            return answer(workspace, [&](Workspace& scratch) {
-                return distance(part, environment, X, options, scratch);
-            });
+            return distance(part, environment, pose, optionsOf(relativeError, absoluteError, cap),
+                            chosen(workspace));
         },
         py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("workspace") = py::none(),
         py::kw_only(), py::arg("relative_error") = 0.0, py::arg("absolute_error") = 0.0,
-        py::arg("cap") = kInfinity,
+        py::arg("cap") = kInfinity, WithoutGil(),
         R"(The distance of the part at the pose from the environment. pose: (4, 4), X_environment_part. The interval may be as
 wide as the larger of absolute_error, relative_error * lower and rounding; distances above the cap do not matter.)");
     module.def(
         "collides",
-        [](const Model& part, const Model& environment, const py::object& pose, OwnedWorkspace* workspace) {
-            const Pose X = poseOf(pose);
-            return answer(workspace,
-                          [&](Workspace& scratch) { return collides(part, environment, X, scratch); });
+        [](const Model& part, const Model& environment, const Pose& pose, OwnedWorkspace* workspace) {
+            return collides(part, environment, pose, chosen(workspace));
         },
         py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("workspace") = py::none(),
+        WithoutGil(),
         R"(Whether the part at the pose and the environment share a point, exactly. pose: (4, 4).)");
     module.def(
         "is_within",
-        [](const Model& part, const Model& environment, const py::object& pose, double d,
-           OwnedWorkspace* workspace) {
-            const Pose X = poseOf(pose);
-            return answer(workspace,
-                          [&](Workspace& scratch) { return isWithin(part, environment, X, d, scratch); });
-        },
+        [](const Model& part, const Model& environment, const Pose& pose, double d,
+           OwnedWorkspace* workspace) { return isWithin(part, environment, pose, d, chosen(workspace)); },
         py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("d"),
-        py::arg("workspace") = py::none(),
+        py::arg("workspace") = py::none(), WithoutGil(),
         R"(Whether the distance is <= d, exactly. pose: (4, 4). d: environment units, >= 0.)");
     module.def(
         "distance_batch",
-        [](const Model& part, const Model& environment, const py::object& poses, double relativeError,
+        [](const Model& part, const Model& environment, const std::vector<Pose>& poses, double relativeError,
            double absoluteError, double cap) {
-            const std::vector<Pose> X = posesOf(poses);
             const DistanceOptions options = optionsOf(relativeError, absoluteError, cap);
-            std::vector<DistanceResult> results;
-            {
-                const ReleasedGil released;
-                results = distanceBatch(part, environment, X, options);
-            }
-            return arraysOf(results);
+            return arraysOf(withoutGil([&] { return distanceBatch(part, environment, poses, options); }));
         },
         py::arg("part"), py::arg("environment"), py::arg("poses"), py::kw_only(),
         py::arg("relative_error") = 0.0, py::arg("absolute_error") = 0.0, py::arg("cap") = kInfinity,
@@ -181,14 +142,8 @@ wide as the larger of absolute_error, relative_error * lower and rounding; dista
 and ids (N,), points (N, 3). Order the poses as along a path.)");
     module.def(
         "is_within_batch",
-        [](const Model& part, const Model& environment, const py::object& poses, double d) {
-            const std::vector<Pose> X = posesOf(poses);
-            std::vector<std::uint8_t> flags;
-            {
-                const ReleasedGil released;
-                flags = isWithinBatch(part, environment, X, d);
-            }
-            return flagsOf(flags);
+        [](const Model& part, const Model& environment, const std::vector<Pose>& poses, double d) {
+            return flagsOf(withoutGil([&] { return isWithinBatch(part, environment, poses, d); }));
         },
         py::arg("part"), py::arg("environment"), py::arg("poses"), py::arg("d"),
         R"(is_within() for poses (N, 4, 4), on all cores; d = 0 asks for contact. Returns (N,) bools.)");
@@ -196,31 +151,18 @@ and ids (N,), points (N, 3). Order the poses as along a path.)");
         "pose_from",
         [](const std::vector<double>& position, const std::vector<double>& quaternion) {
             if (position.size() != 3 || quaternion.size() != 4) {
-                throw ArgumentError("position and quaternion have " + std::to_string(position.size()) +
-                                    " and " + std::to_string(quaternion.size()) +
-                                    " numbers, expected 3 and 4");
+                throw ArgumentError(
+                    fmt::format("position and quaternion have {} and {} numbers, expected 3 and 4",
+                                position.size(), quaternion.size()));
             }
-            return arrayOf(
-                toPose(Eigen::Quaterniond(quaternion[3], quaternion[0], quaternion[1], quaternion[2]),
-                       Vector3(position[0], position[1], position[2])));
+            return toPose(Eigen::Quaterniond(quaternion[3], quaternion[0], quaternion[1], quaternion[2]),
+                          Vector3(position[0], position[1], position[2]));
         },
         py::arg("position"), py::arg("quaternion"),
         R"(The (4, 4) pose of a position (x, y, z) and a quaternion (x, y, z, w), which is normalised first.)");
     module.def(
         "nearest_pose",
-        [](const py::object& matrix) {
-            const auto numbers = numbersOf(matrix, "matrix", 2);
-            if (numbers.shape(0) != 4 || numbers.shape(1) != 4) {
-                throw ArgumentError("matrix has shape " + shapeOf(numbers) + ", expected (4, 4)");
-            }
-            Pose pose;
-            for (int row = 0; row < 3; ++row) {
-                for (int column = 0; column < 3; ++column)
-                    pose.rotation(row, column) = numbers.at(row, column);
-                pose.translation[row] = numbers.at(row, 3);
-            }
-            return arrayOf(nearestPose(pose));
-        },
+        [](const py::object& matrix) { return nearestPose(upperRowsOf(matrixOf(matrix, "matrix").data())); },
         py::arg("matrix"),
         R"(The pose whose rotation is nearest to the matrix's, for rotations with few digits: off by at most 1e-5. (4, 4) to (4, 4).)");
     module.def("available_targets", &availableTargets,
@@ -278,5 +220,5 @@ PYBIND11_MODULE(_core, module) {
     clearway::python::bindProblems(module);
     clearway::python::bindScenes(module);
     clearway::python::bindStates(module);
-    clearway::python::LockedStretch::watchPython();
+    clearway::python::RunningWork::watchPython();
 }

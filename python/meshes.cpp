@@ -1,4 +1,5 @@
 // Meshes and models for Python.
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -24,9 +25,8 @@ namespace {
 using FileName = std::filesystem::path;
 
 Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std::string& name) {
-    const LockedStretch stretch;
     const auto points = numbersOf(vertices, "vertices", 2);
-    const py::array indices = py::module_::import("numpy").attr("asarray")(triangles);
+    const py::array indices(py::reinterpret_borrow<py::object>(triangles));
     const std::string kind = py::str(indices.dtype().attr("kind"));
     if (points.shape(1) != 3) {
         throw ArgumentError("vertices has shape " + shapeOf(points) + ", expected (N, 3)");
@@ -45,9 +45,8 @@ Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std
         for (int corner = 0; corner < 3; ++corner) {
             const std::int64_t index = rows.at(i, corner);
             if (index < 0 || index >= points.shape(0)) {
-                throw ArgumentError("triangles[" + std::to_string(i) + "] names vertex " +
-                                    std::to_string(index) + ", expected 0 to " +
-                                    std::to_string(points.shape(0) - 1));
+                throw ArgumentError(fmt::format("triangles[{}] names vertex {}, expected 0 to {}", i,
+                                                        index, points.shape(0) - 1));
             }
             triangle[corner] = static_cast<std::uint32_t>(index);
         }
@@ -57,20 +56,14 @@ Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std
     return mesh;
 }
 
-py::array_t<double> verticesOf(const Mesh& mesh) {
-    py::array_t<double> points({static_cast<py::ssize_t>(mesh.vertices.size()), py::ssize_t{3}});
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) points.mutable_at(i, axis) = mesh.vertices[i][axis];
+/// (N, 3), a copy.
+template <class Number, class Rows>
+py::array_t<Number> rowsOfThree(const Rows& rows) {
+    py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (int k = 0; k < 3; ++k) array.mutable_at(i, k) = rows[i][k];
     }
-    return points;
-}
-
-py::array_t<std::uint32_t> trianglesOf(const Mesh& mesh) {
-    py::array_t<std::uint32_t> rows({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) rows.mutable_at(i, corner) = mesh.triangles[i][corner];
-    }
-    return rows;
+    return array;
 }
 
 Model buildModel(const Mesh& mesh, const std::string& preset, const std::optional<std::string>& generalSplit,
@@ -102,20 +95,20 @@ void bindMeshesAndModels(py::module_& module) {
             [](const FileName& file, double scale) {
                 LoadOptions options;
                 options.scale = scale;
-                const ReleasedGil released;
                 return loadMesh(file.string(), options);
             },
-            py::arg("file"), py::kw_only(), py::arg("scale") = 1.0,
+            py::arg("file"), py::kw_only(), py::arg("scale") = 1.0, WithoutGil(),
             R"(Reads a file of any format that assimp reads: stl, obj, ply, glb and more. scale: a factor for its coordinates.)")
         .def(
-            "save",
-            [](const Mesh& mesh, const FileName& file) {
-                const ReleasedGil released;
-                saveMesh(mesh, file.string());
-            },
-            py::arg("file"), R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
-        .def_property_readonly("vertices", &verticesOf, R"((V, 3) doubles, a copy.)")
-        .def_property_readonly("triangles", &trianglesOf, R"((T, 3) uint32, a copy.)")
+            "save", [](const Mesh& mesh, const FileName& file) { saveMesh(mesh, file.string()); },
+            py::arg("file"), WithoutGil(),
+            R"(Writes .glb, .obj, .ply, .stl or .dae; coordinates are rounded to float.)")
+        .def_property_readonly(
+            "vertices", [](const Mesh& mesh) { return rowsOfThree<double>(mesh.vertices); },
+            R"((V, 3) doubles, a copy.)")
+        .def_property_readonly(
+            "triangles", [](const Mesh& mesh) { return rowsOfThree<std::uint32_t>(mesh.triangles); },
+            R"((T, 3) uint32, a copy.)")
         .def_property_readonly(
             "components",
             [](const Mesh& mesh) {
@@ -125,8 +118,8 @@ void bindMeshesAndModels(py::module_& module) {
             },
             R"(The names of the components, which are runs of triangles.)")
         .def("__repr__", [](const Mesh& mesh) {
-            return "Mesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
-                   std::to_string(mesh.triangles.size()) + " triangles)";
+            return fmt::format("Mesh({} vertices, {} triangles)", mesh.vertices.size(),
+                               mesh.triangles.size());
         });
     py::class_<Model>(
         module, "Model",
@@ -139,23 +132,14 @@ void bindMeshesAndModels(py::module_& module) {
             R"(Builds the model of a mesh. preset: "best" for the fastest queries, "fast" for a quick build. The names of strategies
 are those of C++'s BuildOptions. threads: 0 for all cores.)")
         .def_static(
-            "load",
-            [](const FileName& file) {
-                const ReleasedGil released;
-                return Model::load(file.string());
-            },
-            py::arg("file"), R"(Reads a file written by save. Raises FileError for any other file.)")
+            "load", [](const FileName& file) { return Model::load(file.string()); }, py::arg("file"),
+            WithoutGil(), R"(Reads a file written by save. Raises FileError for any other file.)")
         .def(
-            "save",
-            [](const Model& model, const FileName& file) {
-                const ReleasedGil released;
-                model.save(file.string());
-            },
-            py::arg("file"),
+            "save", [](const Model& model, const FileName& file) { model.save(file.string()); },
+            py::arg("file"), WithoutGil(),
             R"(Writes the model, for load; queries of the one that is read answer to the same bit.)")
-        .def_property_readonly(
-            "box", [](const Model& model) { return arrayOf(model.box()); },
-            R"((2, 3): the least and the greatest corner, mesh coordinates.)")
+        .def_property_readonly("box", &Model::box,
+                               R"((2, 3): the least and the greatest corner, mesh coordinates.)")
         .def_property_readonly("radius_about_origin", &Model::radiusAboutOrigin,
                                R"(No rotation about the origin of mesh coordinates reaches further.)")
         .def_property_readonly(

@@ -1,6 +1,8 @@
 // Paths and states of parts from and to NumPy arrays: poses (N, 4, 4), or states (N, 7), x y z qx qy qz qw.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -49,13 +51,12 @@ inline PartState stateOf(const double* numbers, Space space, const std::string& 
 
 /// The states of a path given as poses or as states.
 inline std::vector<PartState> statesOf(const py::handle& path, Space space = Space::kSe3) {
-    const LockedStretch stretch;
-    const py::array given = py::module_::import("numpy").attr("asarray")(path);
+    const py::array given(py::reinterpret_borrow<py::object>(path));
     std::vector<PartState> states;
     if (given.ndim() != 2) {
         const std::vector<Pose> poses = posesOf(given);
         for (std::size_t i = 0; i < poses.size(); ++i)
-            states.push_back(stateOf(poses[i], space, "poses[" + std::to_string(i) + "]"));
+            states.push_back(stateOf(poses[i], space, fmt::format("poses[{}]", i)));
         return states;
     }
     const auto rows = numbersOf(given, "states", 2);
@@ -63,7 +64,7 @@ inline std::vector<PartState> statesOf(const py::handle& path, Space space = Spa
         throw ArgumentError("states has shape " + shapeOf(rows) + ", expected (N, 7), or poses (N, 4, 4)");
     }
     for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-        states.push_back(stateOf(rows.data(i, 0), space, "states[" + std::to_string(i) + "]"));
+        states.push_back(stateOf(rows.data(i, 0), space, fmt::format("states[{}]", i)));
     return states;
 }
 

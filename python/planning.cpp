@@ -3,12 +3,12 @@
 #include "clearway/planning/plan.h"
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -58,7 +58,9 @@ struct ChosenScene {
     explicit ChosenScene(const PyScene* given) {
         if (given) scene = given->clearance.scene();
     }
-    const Scene& load(const Problem& problem, const planning::PlanOptions& options, const Worker& worker) {
+    template <class IsStopped>
+    const Scene& load(const Problem& problem, const planning::PlanOptions& options,
+                      const IsStopped& isStopped) {
         if (scene) return *scene;
         requireMeshFiles(problem);
         SceneLoading loading;
@@ -66,11 +68,11 @@ struct ChosenScene {
             return planning::planningReach(problem, options, part, environmentBox);
         };
         loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
-            if (worker.isStopped()) throw Stopped();
+            if (isStopped()) throw Stopped();
             return Model::build(mesh, build, reach);
         };
         loading.shrink = [&](const Mesh& part, ShrinkOptions shrinking) {
-            shrinking.isStopped = [&] { return worker.isStopped(); };
+            shrinking.isStopped = isStopped;
             return shrink(part, shrinking);
         };
         try {
@@ -118,24 +120,14 @@ py::dict dictOf(const PathAudit& audit) {
     return result;
 }
 
-/// One column of the profile.
-template <class Value, class Member>
-py::array_t<Value> columnOf(const PathAudit& audit, Member member) {
-    py::array_t<Value> column(static_cast<py::ssize_t>(audit.profile.size()));
-    for (std::size_t i = 0; i < audit.profile.size(); ++i) {
-        column.mutable_at(static_cast<py::ssize_t>(i)) = static_cast<Value>(audit.profile[i].*member);
-    }
-    return column;
-}
-
 py::dict profileOf(const PathAudit& audit) {
     using Point = planning::PathProfilePoint;
     py::dict result;
-    result["segment"] = columnOf<std::int64_t>(audit, &Point::segment);
-    result["time"] = columnOf<double>(audit, &Point::time);
-    result["travel"] = columnOf<double>(audit, &Point::travel);
-    result["clearance"] = columnOf<double>(audit, &Point::clearance);
-    result["lower_to_next"] = columnOf<double>(audit, &Point::lowerToNext);
+    result["segment"] = columnOf<std::int64_t>(audit.profile, &Point::segment);
+    result["time"] = columnOf<double>(audit.profile, &Point::time);
+    result["travel"] = columnOf<double>(audit.profile, &Point::travel);
+    result["clearance"] = columnOf<double>(audit.profile, &Point::clearance);
+    result["lower_to_next"] = columnOf<double>(audit.profile, &Point::lowerToNext);
     return result;
 }
 
@@ -176,12 +168,13 @@ py::dict dictOf(const PlanReport& report) {
     result["path"] = posesOf(report.path);
     result["length"] = report.length;
     result["turned"] = report.turned;
-    result["audit"] = report.path.empty() ? py::object(py::none()) : py::object(dictOf(report.audit));
-    result["why_no_path"] = report.whyNoPath ? py::object(dictOf(*report.whyNoPath)) : py::object(py::none());
-    result["shut_in"] =
-        report.shutIn
-            ? py::object(py::make_tuple(report.shutIn->isStart ? "start" : "goal", report.shutIn->obstacle))
-            : py::object(py::none());
+    for (const char* key : {"audit", "why_no_path", "shut_in"}) result[key] = py::none();
+    if (!report.path.empty()) result["audit"] = dictOf(report.audit);
+    if (report.whyNoPath) result["why_no_path"] = dictOf(*report.whyNoPath);
+    if (report.shutIn) {
+        result["shut_in"] =
+            py::make_tuple(report.shutIn->isStart ? "start" : "goal", report.shutIn->obstacle);
+    }
     result["planners"] = report.planners;
     result["found_by"] = report.foundBy;
     result["objective"] = report.objective;
@@ -208,9 +201,8 @@ std::int64_t wholeNumber(const py::object& given, const char* name, std::int64_t
     const bool isTooLarge = number == -1 && PyErr_Occurred();
     if (isTooLarge) PyErr_Clear();
     if (isTooLarge || number < least || number > most) {
-        throw ArgumentError(std::string(name) + " is " + std::string(py::str(index)) +
-                            ", expected a whole number from " + std::to_string(least) + " to " +
-                            std::to_string(most));
+        throw ArgumentError(fmt::format("{} is {}, expected a whole number from {} to {}", name,
+                                                std::string(py::str(index)), least, most));
     }
     return number;
 }
@@ -233,12 +225,9 @@ std::string textOf(const py::handle& given) {
 void setMargin(Problem& problem, const std::optional<double>& margin, const PyScene* scene) {
     if (!margin) return;
     if (scene)
-        throw ArgumentError("both a scene and a margin are given, expected one of them: a scene has margins");
-    if (!(*margin >= 0 && std::isfinite(*margin))) {  // the problem's own words would blame its file
-        throw ArgumentError("margin is " + std::string(py::str(py::float_(*margin))) +
-                            ", expected a finite number >= 0");
-    }
-    problem.margin = *margin;
+        throw ArgumentError(
+            "both a scene and a margin are given, expected one of them: a scene has margins");
+    problem.margin = requireMargin(*margin);
 }
 
 /// Calls the callback, now and then, with the seconds so far and the phase's name.
@@ -253,7 +242,12 @@ class Progress {
         if (callback_.is_none() || now < due_) return true;
         due_ = now + kProgressPeriod;
         const double seconds = std::chrono::duration<double>(now - begin_).count();
-        return callback_(seconds, kPhases[phase]).ptr() != Py_False;
+        const auto call = [&] {
+            return PyObject_CallFunction(callback_.ptr(), "ds", seconds, kPhases[phase]);
+        };
+        const auto answer = py::reinterpret_steal<py::object>(callUnlessEnded(call));
+        if (!answer) throw py::error_already_set();
+        return answer.ptr() != Py_False;
     }
 
   private:
@@ -293,9 +287,9 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
     ChosenScene chosen(scene);
     std::optional<PlanReport> report;
     Progress progress(callback);
-    const auto work = [&](const Worker& worker) {
-        const Scene& loaded = chosen.load(problem, options, worker);
-        options.isStopped = [&] { return worker.isStopped(); };
+    const auto work = [&](const auto& isStopped) {
+        const Scene& loaded = chosen.load(problem, options, isStopped);
+        options.isStopped = isStopped;
         options.onPhase = [&](planning::PlanPhase phase) { progress.phase = 1 + static_cast<int>(phase); };
         report = planning::plan(problem, loaded, options);
     };
@@ -311,7 +305,7 @@ py::tuple plan(const py::object& given, const PyScene* scene, const std::optiona
     return py::make_tuple(result, raised);
 }
 
-/// Returns (check, raised), as plan does; no check when it was stopped. path: a file's name, poses or states.
+/// Returns (check, raised), as plan does; an empty check when it was stopped. path: a file's name, poses or states.
 py::tuple check(const py::object& given, const py::object& path, const PyScene* scene,
                 const std::optional<double>& margin, bool hasProfile) {
     Problem problem = problemOf(given);
@@ -322,22 +316,22 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
     for (const PartState& state : states) problem.knownWay.extend(state.position);
     ChosenScene chosen(scene);
     std::optional<planning::PathCheck> found;
-    const auto work = [&](const Worker& worker) {
+    const auto work = [&](const auto& isStopped) {
         try {
-            const Scene& loaded = chosen.load(problem, planning::PlanOptions(), worker);
+            const Scene& loaded = chosen.load(problem, planning::PlanOptions(), isStopped);
             const planning::OmplMessages unheard;  // the audit says what cannot be judged
-            planning::AuditOptions options{hasProfile, [&] { return worker.isStopped(); }};
+            const planning::AuditOptions options{hasProfile, isStopped};
             found = planning::checkPath(problem, loaded, states, options);
         } catch (const planning::AuditStopped&) {
         }
     };
     const py::object raised = runStoppable(work, [] { return true; });
-    if (!found) return py::make_tuple(py::none(), raised);
+    if (!found) return py::make_tuple(py::dict(), raised);
     py::dict result = dictOf(found->audit);
     result["off_start"] = found->offStart;
     result["off_goal"] = found->offGoal;
     result["tolerance"] = found->tolerance;
-    result["profile"] = hasProfile ? py::object(profileOf(found->audit)) : py::object(py::none());
+    result["profile"] = hasProfile ? profileOf(found->audit) : py::object(py::none());
     result["warnings"] = joined(problem.warnings, chosen.notes);
     return py::make_tuple(result, raised);
 }
@@ -366,6 +360,5 @@ PYBIND11_MODULE(_planning, module) {
                R"(The names that plan's objective takes.)");
     module.def("ompl_library", &omplLibrary,
                R"(The file of the OMPL that clearway is bound to in this process.)");
-    py::module_::import("atexit").attr("register")(py::cpp_function(&Waiting::endAll));
-    LockedStretch::watchPython();  // an extension has its own count
+    RunningWork::watchPython();
 }

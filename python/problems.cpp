@@ -1,4 +1,5 @@
 // Problem files and path files for Python.
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -31,13 +32,6 @@ const char* nameOf(Space space) {
     return space == Space::kSe3 ? "SE3" : "SE2";
 }
 
-void setMargin(Problem& problem, double margin) {
-    if (!(margin >= 0 && std::isfinite(margin))) {
-        throw ArgumentError("margin is " + std::to_string(margin) + ", expected a finite number >= 0");
-    }
-    problem.margin = margin;
-}
-
 void setBounds(Problem& problem, const py::object& bounds) {
     if (bounds.is_none()) return problem.volume.reset();
     const auto corners = numbersOf(bounds, "bounds", 2);
@@ -49,9 +43,9 @@ void setBounds(Problem& problem, const py::object& bounds) {
         box.min()[axis] = corners.at(0, axis);
         box.max()[axis] = corners.at(1, axis);
         if (!(box.min()[axis] <= box.max()[axis]) || !std::isfinite(box.sizes()[axis])) {
-            throw ArgumentError("bounds[:, " + std::to_string(axis) + "] is " +
-                                std::to_string(box.min()[axis]) + " to " + std::to_string(box.max()[axis]) +
-                                ", expected finite numbers, the least first");
+            throw ArgumentError(
+                fmt::format("bounds[:, {}] is {} to {}, expected finite numbers, the least first", axis,
+                            box.min()[axis], box.max()[axis]));
         }
     }
     problem.volume = box;
@@ -70,7 +64,7 @@ Problem makeProblem(const py::object& start, const py::object& goal, const std::
     problem.start = stateOf(poseOf(start, "start"), problem.space, "start");
     setGoal(problem, goal);
     setBounds(problem, bounds);
-    setMargin(problem, margin);
+    problem.margin = requireMargin(margin);
     problem.meshes.robot = robot.string();
     for (const FileName& world : worlds) {
         if (problem.meshes.world.empty()) {
@@ -193,7 +187,8 @@ are not read yet: Scene.load does that.)")
             R"((2, 3): the least and the greatest position of the part's origin, environment frame, read-only. None: the environment's
 box grown to hold start and goal.)")
         .def_property(
-            "margin", [](const Problem& problem) { return problem.margin; }, &setMargin,
+            "margin", [](const Problem& problem) { return problem.margin; },
+            [](Problem& problem, double margin) { problem.margin = requireMargin(margin); },
             R"(The distance to keep from obstacles that no rule of the file names; environment units, >= 0.)")
         .def_readonly("unit", &Problem::unit,
                       R"(The unit of all lengths, such as "mm", to be shown beside them; empty: not stated.)")
@@ -206,8 +201,8 @@ box grown to hold start and goal.)")
         .def("__copy__", [](const Problem& problem) { return problem; })
         .def("__deepcopy__", [](const Problem& problem, const py::dict& /*memo*/) { return problem; })
         .def("__repr__", [](const Problem& problem) {
-            return "Problem(" + std::string(nameOf(problem.space)) + ", " +
-                   (problem.file.empty() ? "made in memory" : "'" + problem.file + "'") + ")";
+            return fmt::format("Problem({}, {})", nameOf(problem.space),
+                               problem.file.empty() ? "made in memory" : "'" + problem.file + "'");
         });
     bindPathFiles(module);
 }

@@ -1,87 +1,78 @@
 // Work without Python's lock, so that other threads of Python run meanwhile; and what becomes of it when Python ends.
 #pragma once
 
+#include <pthread.h>
 #include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 namespace clearway::python {
 
 namespace py = pybind11;
 
-/// A stretch of C++ that comes back to Python's lock. When Python has ended, it unwinds each thread that asks for the lock,
-/// which destructors of C++ do not stand: the process would abort. So Python's end waits for the stretches that have begun.
-/// A thread that begins another one meanwhile is a daemon, which Python does not wait for: it lets Python end first.
-class LockedStretch {
-  public:
-    LockedStretch() {
-        if (isEnding() && depth() == 0 && std::this_thread::get_id() != endingThread()) letPythonEnd();
-        ++depth();
-        ++count();
-    }
-    ~LockedStretch() {
-        --depth();
-        --count();
-    }
-    LockedStretch(const LockedStretch&) = delete;
-    LockedStretch& operator=(const LockedStretch&) = delete;
+/// Whether Python has ended. The process then ends too, and threads that Python does not wait for stop where they are.
+inline std::atomic<bool> hasPythonEnded{false};
 
-    /// Lets Python call the two functions below when it ends, and in forked processes.
+/// Counts what runs without Python's lock. Python's end waits for it, because it uses libraries that the process takes down next.
+class RunningWork {
+  public:
+    RunningWork() { ++count_; }
+    ~RunningWork() { --count_; }
+    RunningWork(const RunningWork&) = delete;
+    RunningWork& operator=(const RunningWork&) = delete;
+
+    /// Each extension has its own count and calls this once.
     static void watchPython() {
-        py::module_::import("atexit").attr("register")(py::cpp_function(&endAll));
-        py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") =
-                                                               py::cpp_function(&forgetOtherThreads));
+        Py_AtExit([] {
+            hasPythonEnded = true;
+            while (count_ > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        });
+        pthread_atfork(nullptr, nullptr,
+                       [] { count_ = 0; });  // a forked process has one thread, which runs Python
     }
 
   private:
-    static void endAll() {
-        endingThread() = std::this_thread::get_id();
-        isEnding() = true;
-        const py::gil_scoped_release released;
-        while (count() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    /// A forked process has this thread alone.
-    static void forgetOtherThreads() { count() = depth(); }
-
-    /// Goes on if Python does not end for a second: what else it calls at its end may wait for this thread.
-    static void letPythonEnd() {
-        PyThreadState* const state = PyEval_SaveThread();
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        while (hasPythonEnded()) std::this_thread::sleep_for(std::chrono::hours(1));
-        PyEval_RestoreThread(state);
-    }
-    static bool hasPythonEnded() {
-#if PY_VERSION_HEX >= 0x030D0000
-        return Py_IsFinalizing();
-#else
-        return _Py_IsFinalizing();
-#endif
-    }
-
-    static std::atomic<bool>& isEnding() {
-        static std::atomic<bool> value{false};
-        return value;
-    }
-    static std::thread::id& endingThread() {
-        static std::thread::id value;
-        return value;
-    }
-    static std::atomic<int>& count() {
-        static std::atomic<int> value{0};
-        return value;
-    }
-    static int& depth() {
-        thread_local int value = 0;
-        return value;
-    }
+    static inline std::atomic<int> count_{0};
 };
 
-/// While an object lives, its thread is without Python's lock.
+/// Calls a function of Python's C interface that may wait for Python's lock. Where Python has ended, such a function unwinds its
+/// thread, which destructors of C++ do not stand: the process would abort. The thread waits for the end of the process instead.
+template <class Call>
+auto callUnlessEnded(const Call& call) {
+    try {
+        return call();
+    } catch (...) {  // C throws nothing else
+        for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+}
+
+/// While an object lives, its thread is without Python's lock. As pybind11's gil_scoped_release, but for threads that outlive Python.
 class ReleasedGil {
-    const LockedStretch stretch_;
-    const py::gil_scoped_release released_;
+  public:
+    ReleasedGil() = default;
+    ~ReleasedGil() {
+        work_.reset();
+        callUnlessEnded([this] { PyEval_RestoreThread(state_); });
+    }
+    ReleasedGil(const ReleasedGil&) = delete;
+    ReleasedGil& operator=(const ReleasedGil&) = delete;
+
+  private:
+    std::optional<RunningWork> work_{std::in_place};
+    PyThreadState* const state_ = PyEval_SaveThread();
 };
+
+/// For functions that are called without Python's lock.
+using WithoutGil = py::call_guard<ReleasedGil>;
+
+/// Returns the work's result.
+template <class Work>
+auto withoutGil(const Work& work) {
+    const ReleasedGil released;
+    return work();
+}
 
 }  // namespace clearway::python

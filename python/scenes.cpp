@@ -67,24 +67,9 @@ std::vector<PyObstacle> obstaclesOf(const PyScene& scene) {
 
 py::tuple checkMotion(const PyScene& scene, const py::object& from, const py::object& to) {
     const RigidMotion motion = motionBetween(poseOf(from, "start"), poseOf(to, "end"));
-    MotionAnswer found;
-    {
-        const ReleasedGil released;
-        found = scene.clearance.check(motion);
-    }
+    const MotionAnswer found = withoutGil([&] { return scene.clearance.check(motion); });
     const char* names[] = {"certified", "contact", "undecided"};
     return py::make_tuple(names[static_cast<int>(found.verdict)], found.certifiedUntil, found.contactTime);
-}
-
-/// Answers a question about poses without Python's lock, as an array.
-template <class Question>
-auto arrayOfAnswers(const py::object& poses, const Question& question) {
-    const std::vector<Pose> X = posesOf(poses);
-    const auto answers = [&] {
-        const ReleasedGil released;
-        return question(X);
-    }();
-    return py::array(static_cast<py::ssize_t>(answers.size()), answers.data());
 }
 
 void bindObstacle(py::module_& module) {
@@ -105,8 +90,8 @@ not free inside of it either.)")
             "is_solid", [](const PyObstacle& obstacle) { return obstacle.obstacle.solids != nullptr; },
             R"(Whether the inside of the obstacle counts too.)")
         .def("__repr__", [](const PyObstacle& obstacle) {
-            return "Obstacle(" + std::to_string(obstacle.obstacle.model.report().triangles) +
-                   " triangles, margin " + std::string(py::repr(py::float_(obstacle.obstacle.margin))) + ")";
+            return py::str("Obstacle({} triangles, margin {!r})")
+                .format(obstacle.obstacle.model.report().triangles, obstacle.obstacle.margin);
         });
 }
 
@@ -167,57 +152,37 @@ preset: as for Model. threads: 0 for all cores.)")
         .def_readonly("notes", &PyScene::notes,
                       R"(What loading did to the meshes, and what looks wrong about them, one line each.)")
         .def(
-            "is_free",
-            [](const PyScene& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.clearance.isFree(X);
-            },
-            py::arg("pose"),
+            "is_free", [](const PyScene& scene, const Pose& pose) { return scene.clearance.isFree(pose); },
+            py::arg("pose"), WithoutGil(),
             R"(Whether all distances are larger than the margins, and the part is in no solid. pose: (4, 4).)")
         .def(
             "is_free_batch",
-            [](const PyScene& scene, const py::object& poses) {
-                const auto flags = arrayOfAnswers(
-                    poses, [&](const std::vector<Pose>& X) { return scene.clearance.isFreeBatch(X); });
-                return flags.attr("astype")("bool");
+            [](const PyScene& scene, const std::vector<Pose>& poses) {
+                return flagsOf(withoutGil([&] { return scene.clearance.isFreeBatch(poses); }));
             },
             py::arg("poses"),
             R"(is_free() for poses (N, 4, 4), on all cores. Returns (N,) bools. Order the poses as along a path.)")
         .def(
             "clearance",
-            [](const PyScene& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.clearance.at(X).lower;
-            },
-            py::arg("pose"),
+            [](const PyScene& scene, const Pose& pose) { return scene.clearance.at(pose).lower; },
+            py::arg("pose"), WithoutGil(),
             R"(The least distance less margin, a lower bound; above 0 exactly when the pose is free; inf without obstacles.)")
         .def(
             "clearance_batch",
-            [](const PyScene& scene, const py::object& poses) {
-                return arrayOfAnswers(
-                    poses, [&](const std::vector<Pose>& X) { return scene.clearance.clearanceBatch(X); });
+            [](const PyScene& scene, const std::vector<Pose>& poses) {
+                return arrayOf(withoutGil([&] { return scene.clearance.clearanceBatch(poses); }));
             },
             py::arg("poses"),
             R"(clearance() for poses (N, 4, 4), on all cores. Returns (N,) doubles. Order the poses as along a path.)")
         .def(
             "why_not_free",
-            [](const PyScene& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.clearance.whyInvalid(X).words();
-            },
-            py::arg("pose"),
+            [](const PyScene& scene, const Pose& pose) { return scene.clearance.whyInvalid(pose).words(); },
+            py::arg("pose"), WithoutGil(),
             R"(str() of why_invalid(): why the pose is not free, as words after "is"; empty when it is.)")
         .def(
             "why_invalid",
-            [](const PyScene& scene, const py::object& pose) {
-                const Pose X = poseOf(pose);
-                const ReleasedGil released;
-                return scene.clearance.whyInvalid(X);
-            },
-            py::arg("pose"), R"(Why the pose is not free, as a WhyInvalid.)")
+            [](const PyScene& scene, const Pose& pose) { return scene.clearance.whyInvalid(pose); },
+            py::arg("pose"), WithoutGil(), R"(Why the pose is not free, as a WhyInvalid.)")
         .def(
             "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
             R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns

@@ -1,9 +1,12 @@
 // The classes behind clearway.Problem and clearway.Scene, which both extensions see.
 #pragma once
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +37,12 @@ inline std::string fileName(const pybind11::object& given) {
 inline Problem problemOf(const pybind11::object& given) {
     if (pybind11::isinstance<Problem>(given)) return given.cast<Problem>();
     return readProblem(fileName(given));
+}
+
+/// The margin. Throws ArgumentError when it is none; the problem's own words would blame its file.
+inline double requireMargin(double margin) {
+    if (margin >= 0 && std::isfinite(margin)) return margin;
+    throw ArgumentError(fmt::format("margin is {}, expected a finite number >= 0", margin));
 }
 
 /// Throws ArgumentError when the problem has no mesh files.

@@ -33,33 +33,31 @@ void bindStates(py::module_& module) {
     module.def(
         "is_free_at_state",
         [](const PyScene& scene, double x, double y, double z, double qx, double qy, double qz, double qw) {
-            const ReleasedGil released;
             return scene.clearance.isFree(poseAt({x, y, z}, qx, qy, qz, qw));
         },
-        R"(Scene.is_free at a position and a quaternion, which is normalised first.)");
+        WithoutGil(), R"(Scene.is_free at a position and a quaternion, which is normalised first.)");
     module.def(
         "clearance_at_state",
         [](const PyScene& scene, double x, double y, double z, double qx, double qy, double qz, double qw) {
-            const ReleasedGil released;
             return scene.clearance.at(poseAt({x, y, z}, qx, qy, qz, qw)).lower;
         },
-        R"(Scene.clearance at a position and a quaternion, which is normalised first.)");
+        WithoutGil(), R"(Scene.clearance at a position and a quaternion, which is normalised first.)");
     module.def(
         "certify_se3_motion",
         [](const PyScene& scene, double x1, double y1, double z1, double qx1, double qy1, double qz1,
            double qw1, double x2, double y2, double z2, double qx2, double qy2, double qz2, double qw2) {
-            const ReleasedGil released;
             return nameOf(certifySe3Motion(scene.clearance, {{x1, y1, z1}, {qw1, qx1, qy1, qz1}},
                                            {{x2, y2, z2}, {qw2, qx2, qy2, qz2}}));
         },
+        WithoutGil(),
         R"(Certifies both states and all poses that OMPL's SE(3) interpolates between them. Returns "certified", "contact" or
 "undecided".)");
     module.def(
         "certify_se2_motion",
         [](const PyScene& scene, double x1, double y1, double yaw1, double x2, double y2, double yaw2) {
-            const ReleasedGil released;
             return nameOf(certifySe2Motion(scene.clearance, {x1, y1, yaw1}, {x2, y2, yaw2}));
         },
+        WithoutGil(),
         R"(Certifies both states and all poses that OMPL's SE(2) interpolates between them. Returns "certified", "contact" or
 "undecided".)");
 }

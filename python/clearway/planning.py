@@ -173,8 +173,6 @@ def check(
     found, raised = _planning.check(problem, path, scene, margin, profile)
     if raised is not None:
         raise raised
-    if found is None:  # Python ends, and does not wait for this thread
-        raise SystemExit
     return CheckResult(
         audit=audit_of(found),
         off_start=found["off_start"],

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/random_meshes.h"
 
 BOOST_AUTO_TEST_SUITE(ball_test)

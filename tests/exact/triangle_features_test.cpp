@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/random_meshes.h"
 
 BOOST_AUTO_TEST_SUITE(triangle_features_test)
@@ -101,13 +101,14 @@ BOOST_AUTO_TEST_CASE(triangles_on_a_grid_have_their_exact_distance) {
                 return triangle;
             };
             const Corners a = draw(), b = draw();
-            const Rational squared = exactDistanceSquared(toExact(a), toExact(b));
+            const ExactDistance exact = exactDistance(a, b);
+            const Rational squared = exact.squared();
             const auto square = [](double x) { return Rational(x) * Rational(x); };
             const Least<Integer> whole = leastOf<Integer>(a, b);
             const Least<Ball> ball = leastOf<Ball>(a, b);
             contacts += squared == 0;
             BOOST_TEST_CONTEXT("seed " << kSeed << ", grid of " << cells << ", round " << round
-                                       << ", distance " << rootOf(squared)) {
+                                       << ", distance " << exact.rounded()) {
                 BOOST_TEST((square(whole.lower) <= squared && square(whole.upper) >= squared));
                 BOOST_TEST(whole.upper - whole.lower <= 0x1p-49 * whole.upper);
                 BOOST_TEST(std::abs(whole.apart - whole.upper) <= 1e-14 * cells);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/hard_triangles.h"
 #include "support/triangle_distance.h"
 
@@ -47,7 +47,7 @@ TriangleDistance truthOf(const LongTriangle& a, const LongTriangle& b) {
             exactA[k] = a[k].cast<double>();
             exactB[k] = b[k].cast<double>();
         }
-        truth.distance = rootOf(exactDistanceSquared(toExact(exactA), toExact(exactB)));
+        truth.distance = exactDistance(exactA, exactB).rounded();
     }
     return truth;
 }

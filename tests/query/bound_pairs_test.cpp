@@ -11,7 +11,7 @@
 #include "model/model_data.h"
 #include "query/pair_query.h"
 #include "support/each_target.h"
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
 #include "support/tree_triangles.h"
@@ -73,12 +73,12 @@ long double shapeOf(const LongTriangle& t) {
     return longest > 0 ? area / (longest * longest) : 0;
 }
 
-/// The distance in long double, and in rational arithmetic for near pairs.
+/// The distance in long double, and in exact arithmetic for near pairs.
 double trueDistance(const Pose& pose, const std::array<Vector3, 3>& a, const std::array<Vector3, 3>& b,
                     double largest) {
     const long double distance = triangleDistance(moved(pose, a), toLong(b)).distance;
     if (distance > 1e-12L * largest) return static_cast<double>(distance);
-    return static_cast<double>(rootOf(exactDistanceSquared(exactlyMoved(pose, a), toExact(b))));
+    return static_cast<double>(exactDistance(pose, a, b).rounded());
 }
 
 /// ids: ids of the part's and the environment's triangles.

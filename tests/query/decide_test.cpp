@@ -6,7 +6,7 @@
 
 #include "query/decide.h"
 #include "support/each_target.h"
-#include "support/exact_triangle.h"
+#include "support/exact_distance.h"
 #include "support/hard_triangles.h"
 #include "support/query_cases.h"
 
@@ -24,7 +24,7 @@ struct Draw {
     std::string name;
     TrianglePair pair;
     Pose pose;
-    Rational distanceSquared;
+    ExactDistance truth;
 };
 
 double diagonalOf(const Triangle& triangle) {
@@ -61,7 +61,7 @@ const std::vector<Draw>& draws() {
                 const Pose pose = i % 2 == 1 ? poseFor(random, pair) : Pose{};
                 result.push_back(
                     {family.name + ", seed " + std::to_string(kSeed) + ", draw " + std::to_string(i), pair,
-                     pose, exactDistanceSquared(exactlyMoved(pose, pair.a), toExact(pair.b))});
+                     pose, exactDistance(pose, pair.a, pair.b)});
             }
         }
         return result;
@@ -74,10 +74,6 @@ struct Models {
         : part(Model::build(meshOf(pair.a))), environment(Model::build(meshOf(pair.b))) {}
     Model part, environment;
 };
-
-Rational square(double x) {
-    return Rational(x) * Rational(x);
-}
 
 double largestOf(const Draw& draw) {
     double largest = draw.pose.translation.cwiseAbs().maxCoeff();
@@ -100,12 +96,12 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_exact_distance_and_are_as_narrow_as_prom
         const double M = largestOf(draw),
                      width =
                          1e-12 * (diagonalOf(draw.pair.a) + diagonalOf(draw.pair.b)) + 32 * kUnitRoundoff * M;
-        BOOST_TEST_CONTEXT(draw.name << ", distance " << rootOf(draw.distanceSquared) << ", interval "
-                                     << result.lower << " to " << result.upper) {
-            BOOST_TEST((square(result.lower) <= draw.distanceSquared));
-            BOOST_TEST((square(result.upper) >= draw.distanceSquared));
+        BOOST_TEST_CONTEXT(draw.name << ", distance " << draw.truth.rounded() << ", interval " << result.lower
+                                     << " to " << result.upper) {
+            BOOST_TEST(draw.truth.compare(result.lower) >= 0);
+            BOOST_TEST(draw.truth.compare(result.upper) <= 0);
             BOOST_TEST(result.upper - result.lower <= width);
-            BOOST_TEST(result.collides() == (draw.distanceSquared == 0));
+            BOOST_TEST(result.collides() == draw.truth.isZero());
         }
         work += result.counters;
     }
@@ -118,17 +114,17 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_exact_distance_and_are_as_narrow_as_prom
 
 BOOST_AUTO_TEST_CASE(contact_points_lie_on_both_triangles) {
     for (const Draw& draw : draws()) {
-        if (draw.distanceSquared != 0) continue;
+        if (!draw.truth.isZero()) continue;
         const Models models(draw.pair);
         Workspace workspace;
         const DistanceResult result = distance(models.part, models.environment, draw.pose, {}, workspace);
         BOOST_TEST(result.witness->pointOnPart == result.witness->pointOnEnvironment);
         const Triangle point = {result.witness->pointOnPart, result.witness->pointOnPart,
                                 result.witness->pointOnPart};
-        const Rational most = square(16 * kUnitRoundoff * largestOf(draw));
+        const double most = 16 * kUnitRoundoff * largestOf(draw);
         BOOST_TEST_CONTEXT(draw.name) {
-            BOOST_TEST((exactDistanceSquared(toExact(point), exactlyMoved(draw.pose, draw.pair.a)) <= most));
-            BOOST_TEST((exactDistanceSquared(toExact(point), toExact(draw.pair.b)) <= most));
+            BOOST_TEST(exactDistance(draw.pose, draw.pair.a, point).compare(most) <= 0);
+            BOOST_TEST(exactDistance(point, draw.pair.b).compare(most) <= 0);
         }
     }
 }
@@ -138,17 +134,16 @@ BOOST_DATA_TEST_CASE(within_turns_at_the_exact_distance, eachTarget(), target) {
     for (const Draw& draw : draws()) {
         const Models models(draw.pair);
         Workspace workspace;
-        const double near = static_cast<double>(rootOf(draw.distanceSquared));
+        const double near = static_cast<double>(draw.truth.rounded());
         double d = std::nextafter(std::nextafter(near, -kInfinity), -kInfinity);
         for (int step = 0; step < 5; ++step, d = std::nextafter(d, kInfinity)) {
             if (d < 0) continue;
             BOOST_TEST_CONTEXT(draw.name << ", distance " << near << ", step " << step) {
                 BOOST_TEST(isWithin(models.part, models.environment, draw.pose, d, workspace) ==
-                           (square(d) >= draw.distanceSquared));
+                           (draw.truth.compare(d) <= 0));
             }
         }
-        BOOST_TEST(collides(models.part, models.environment, draw.pose, workspace) ==
-                   (draw.distanceSquared == 0));
+        BOOST_TEST(collides(models.part, models.environment, draw.pose, workspace) == draw.truth.isZero());
     }
 }
 

@@ -7,6 +7,8 @@
 namespace clearway::testing {
 namespace {
 
+using Integer = ExactDistance::Integer;
+
 constexpr int kNoExponent = std::numeric_limits<int>::max();
 
 /// The number mantissa 2^exponent; the mantissa is odd or 0.
@@ -210,6 +212,13 @@ long double ExactDistance::rounded() const {
     const Integer quotient =
         shift >= 0 ? Integer((numerator << shift) / denominator) : numerator / (denominator << -shift);
     return std::ldexp(std::sqrt(static_cast<long double>(quotient)), exponent - shift / 2);
+}
+
+Rational ExactDistance::squared() const {
+    using boost::multiprecision::cpp_int;
+    const Rational power(cpp_int(1) << std::abs(2 * exponent));
+    const Rational square = Rational(cpp_int(numerator), cpp_int(denominator));
+    return exponent >= 0 ? square * power : square / power;
 }
 
 ExactDistance exactDistance(const Pose& X_environmentPart, const std::array<Vector3, 3>& part,

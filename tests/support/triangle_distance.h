@@ -1,6 +1,6 @@
 // The distance of two triangles in long double, computed the plain way: every pair of features is tried, and
 // only points that lie on the triangles are scored. Shares no code with the library; checked against
-// exact_triangle.h.
+// exact_distance.h.
 #pragma once
 
 #include <array>

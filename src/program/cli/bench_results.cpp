@@ -95,11 +95,11 @@ std::size_t writePaths(const std::string& stem, const PlannerBenchmark& planner,
         const BenchmarkRun& run = planner.runs[i];
         if (!run.isSolved) continue;
         if (!shortest || run.length < planner.runs[*shortest].length) shortest = i;
-        if (problem.savedPaths != SavedPaths::kAll) continue;
+        if (problem.benchmark.savedPaths != SavedPaths::kAll) continue;
         writePath(run.path, problem.space, stem + "_" + std::to_string(i) + ".path");
         ++written;
     }
-    if (problem.savedPaths == SavedPaths::kAll || !shortest) return written;
+    if (problem.benchmark.savedPaths == SavedPaths::kAll || !shortest) return written;
     writePath(planner.runs[*shortest].path, problem.space, stem + "_" + std::to_string(*shortest) + ".path");
     return 1;
 }
@@ -122,7 +122,7 @@ void printBenchmark(const Benchmark& benchmark, const std::string& log) {
 
 std::optional<std::size_t> writePaths(const Benchmark& benchmark, const Problem& problem,
                                       const std::string& log) {
-    if (problem.savedPaths == SavedPaths::kNone) return std::nullopt;
+    if (problem.benchmark.savedPaths == SavedPaths::kNone) return std::nullopt;
     std::size_t written = 0;
     std::vector<std::string> names;
     for (const PlannerBenchmark& planner : benchmark.planners) {
