@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
 
 namespace clearway {
@@ -199,7 +199,7 @@ SweepVerdict certifyPoses(const SceneClearance& clearance, const SteadyMotion& s
 
 void requireUnitLength(const PartState& state, const char* name) {
     if (canBeInterpolated(state)) return;
-    throw std::invalid_argument(fmt::format("the quaternion of {} has length {:f}, expected 1 to within 1e-9",
+    throw ArgumentError(fmt::format("the quaternion of {} has length {:f}, expected 1 to within 1e-9",
                                             name, state.rotation.norm()));
 }
 

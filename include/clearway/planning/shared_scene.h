@@ -21,7 +21,7 @@ namespace clearway::planning {
 using StateMotion = std::function<PartMotion(const ompl::base::State* from, const ompl::base::State* to)>;
 
 /// The motions of OMPL's SE(3) and SE(2): straight, with a turn at a constant rate about an axis fixed in the part. Turns
-/// that OMPL may leave out, below 2e-4 rad, are not trusted: they may happen or not. Throws std::invalid_argument that names
+/// that OMPL may leave out, below 2e-4 rad, are not trusted: they may happen or not. Throws ArgumentError that names
 /// the space when it is another one, even one derived from these.
 StateMotion stateMotion(const ompl::base::StateSpacePtr& space, const Model& part);
 
@@ -38,12 +38,12 @@ class SharedScene {
     /// For OMPL's SE(3) and SE(2): poses and motions are those of the space. Throws as SceneClearance does.
     SharedScene(Scene scene);
 
-    /// Shares what others ask, too. Throws std::invalid_argument when it is null.
+    /// Shares what others ask, too. Throws ArgumentError when it is null.
     SharedScene(std::shared_ptr<const SceneClearance> clearance);
 
     /// For any space. Motions need a bound. They are certified pair by pair, by the bound alone where no StateMotion is given. The
     /// poses of interpolated states may differ only by rounding from those that the bound is made for: by at most 2^-47 of the
-    /// lengths involved. Throws std::invalid_argument when a callback that is given is empty.
+    /// lengths involved. Throws ArgumentError when a callback that is given is empty.
     SharedScene(const SharedScene& scene, StateToPose stateToPose,
                 std::optional<DisplacementBound> bound = {}, std::optional<StateMotion> motion = {});
 

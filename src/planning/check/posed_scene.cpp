@@ -22,14 +22,14 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene sh
         bound_ = displacementBound(*si->getStateSpace(), scene().part);
         motion_ = stateMotion(si->getStateSpace(), scene().part);
     } else if (!bound_) {
-        throw std::invalid_argument("the displacement bound is empty, expected a function");
+        throw ArgumentError("the displacement bound is empty, expected a function");
     }
 }
 
 WhyInvalid PosedScene::whyInvalid(const ompl::base::State* state) const {
     try {
         if (!si_->satisfiesBounds(state)) return whyOutOfBounds(space(), state);
-        return clearance_->whyInvalid(pose(state));
+        return clearance().whyInvalid(pose(state));
     } catch (const std::exception& error) {
         WhyInvalid why;
         why.kind = WhyInvalid::Kind::kUnusable;

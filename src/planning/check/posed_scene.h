@@ -21,7 +21,7 @@ class PosedScene {
   public:
     enum class For { kStates, kMotions };
 
-    /// Without callbacks, poses and motions are those of OMPL's SE(3) and SE(2). Throws std::invalid_argument when si is null,
+    /// Without callbacks, poses and motions are those of OMPL's SE(3) and SE(2). Throws ArgumentError when si is null,
     /// motions are asked for and have no bound, and as stateToPose and displacementBound do.
     PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene shared, For what);
 

@@ -1,8 +1,9 @@
 #include "clearway/planning/shared_scene.h"
 
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "clearway/errors.h"
 
 namespace clearway::planning {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 template <class Callback>
 Callback requireGiven(Callback callback, const char* name) {
     if (callback) return callback;
-    throw std::invalid_argument(std::string(name) + " is empty, expected a function");
+    throw ArgumentError(std::string(name) + " is empty, expected a function");
 }
 
 }  // namespace
@@ -19,7 +20,7 @@ SharedScene::SharedScene(Scene scene)
     : clearance_(std::make_shared<const SceneClearance>(std::move(scene))) {}
 
 SharedScene::SharedScene(std::shared_ptr<const SceneClearance> clearance) : clearance_(std::move(clearance)) {
-    if (!clearance_) throw std::invalid_argument("the scene clearance is null, expected that of a scene");
+    if (!clearance_) throw ArgumentError("the scene clearance is null, expected that of a scene");
 }
 
 SharedScene::SharedScene(const SharedScene& scene, StateToPose stateToPose,
