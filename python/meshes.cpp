@@ -45,8 +45,8 @@ Mesh makeMesh(const py::object& vertices, const py::object& triangles, const std
         for (int corner = 0; corner < 3; ++corner) {
             const std::int64_t index = rows.at(i, corner);
             if (index < 0 || index >= points.shape(0)) {
-                throw ArgumentError(fmt::format("triangles[{}] names vertex {}, expected 0 to {}", i,
-                                                        index, points.shape(0) - 1));
+                throw ArgumentError(fmt::format("triangles[{}] names vertex {}, expected 0 to {}", i, index,
+                                                points.shape(0) - 1));
             }
             triangle[corner] = static_cast<std::uint32_t>(index);
         }

@@ -137,7 +137,9 @@ py::dict dictOf(const planning::ReachedFrom& end) {
     result["has_tree"] = end.hasTree;
     result["farthest"] = end.farthest;
     result["motions_stopped"] = end.motionsStopped;
-    result["bounds"] = end.bounds;
+    py::list bounds;
+    for (const BoxSide& bound : end.bounds) bounds.append(planning::boundNamed(bound));
+    result["bounds"] = bounds;
     return result;
 }
 
@@ -202,7 +204,7 @@ std::int64_t wholeNumber(const py::object& given, const char* name, std::int64_t
     if (isTooLarge) PyErr_Clear();
     if (isTooLarge || number < least || number > most) {
         throw ArgumentError(fmt::format("{} is {}, expected a whole number from {} to {}", name,
-                                                std::string(py::str(index)), least, most));
+                                        std::string(py::str(index)), least, most));
     }
     return number;
 }
@@ -225,8 +227,7 @@ std::string textOf(const py::handle& given) {
 void setMargin(Problem& problem, const std::optional<double>& margin, const PyScene* scene) {
     if (!margin) return;
     if (scene)
-        throw ArgumentError(
-            "both a scene and a margin are given, expected one of them: a scene has margins");
+        throw ArgumentError("both a scene and a margin are given, expected one of them: a scene has margins");
     problem.margin = requireMargin(*margin);
 }
 

@@ -96,10 +96,10 @@ not free inside of it either.)")
 }
 
 /// A triangle of the closest pair, where that is the reason.
-template <std::int64_t DistanceResult::*kTriangle>
+template <std::int64_t Witness::*kTriangle>
 std::optional<std::int64_t> triangleOf(const WhyInvalid& why) {
-    const std::int64_t triangle = why.nearest.*kTriangle;
-    return triangle < 0 ? std::nullopt : std::optional<std::int64_t>(triangle);
+    if (!why.nearest.witness) return std::nullopt;
+    return (*why.nearest.witness).*kTriangle;
 }
 
 void bindWhyInvalid(py::module_& module) {
@@ -115,9 +115,9 @@ void bindWhyInvalid(py::module_& module) {
         .def_readonly("environment_mesh", &WhyInvalid::environmentMesh,
                       R"(Name of the obstacle's mesh, or "".)")
         .def_property_readonly(
-            "part_triangle", &triangleOf<&DistanceResult::partTriangle>,
+            "part_triangle", &triangleOf<&Witness::partTriangle>,
             R"(Position in the part's mesh; None where no pair of triangles is the reason.)")
-        .def_property_readonly("environment_triangle", &triangleOf<&DistanceResult::environmentTriangle>,
+        .def_property_readonly("environment_triangle", &triangleOf<&Witness::environmentTriangle>,
                                R"(Position in the obstacle's file, or None.)")
         .def_readonly(
             "limit", &WhyInvalid::limit,

@@ -183,9 +183,9 @@ void addCoolantHoses(Bay& bay) {
     addHose(bay, "radiator_hose_lower",
             {{255, 118, 140}, {258, 160, 140}, {235, 205, 170}, {150, 216, 190}, {60, 236, 200}}, 19);
     for (int i = 0; i < 2; ++i) {
+        const double x = bay.design.place.x() + 190 + 30 * i;  // to the left of the module
         const Line hose{{x + 30, 848, 470}, {x + 28, 800, 474},         {x + 22, 690, 500 + 22.0 * i},
                         {x - 60, 600, 470}, {100 + 30.0 * i, 540, 440}, {90 + 30.0 * i, 505, 400}};
-        const double x = bay.design.place.x() + 190 + 30 * i;  // to the left of the module
         addHose(bay, i == 0 ? "heater_hose_in" : "heater_hose_out", hose, 11);
     }
     addHose(bay, "overflow_hose", {{480, 380, 540}, {440, 330, 560}, {380, 220, 590}, {340, 125, 612}}, 7);

@@ -1,6 +1,5 @@
 // The program clearway-scene: makes a demo scene.
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "clearway/targets.h"
 #include "demos/scenes/record_scene.h"
@@ -94,16 +93,15 @@ int makeScene(const Arguments& arguments) {
     const bool isFolderNew = !std::filesystem::exists(given.folder, ignored);
     const scenes::SceneFiles files = writeScene(made, given.folder);
 
-    printRow("part", files.part + ", " + counted(made.part.triangles.size(), "triangle"));
-    printRow("environment",
-             files.environment + ", " + counted(made.environment.triangles.size(), "triangle"));
-    facts()["unit"] = "mm";
-    facts()["part"] = {{"file", files.part}, {"triangles", made.part.triangles.size()}};
-    facts()["environment"] = {{"file", files.environment}, {"triangles", made.environment.triangles.size()}};
-    facts()["problem"] = files.problem;
-    facts()["path"] = {{"file", files.path}, {"states", made.path.size()}};
-    printRow("problem", files.problem);
-    printRow("path", files.path + ", " + counted(made.path.size(), "state"));
+    const auto fileFact = [](const char* name, const std::string& file, std::size_t count,
+                             const std::string& counts) -> Fact {
+        return {name, file + ", " + counted(count, counts), name, {{"file", file}, {counts + "s", count}}};
+    };
+    tell({kept("unit", "mm"),
+          fileFact("part", files.part, made.part.triangles.size(), "triangle"),
+          fileFact("environment", files.environment, made.environment.triangles.size(), "triangle"),
+          {"problem", files.problem, "problem", files.problem},
+          fileFact("path", files.path, made.path.size(), "state")});
     const bool isKept = recordScene(origin, files, made.environment, !given.hasNoPreview);
     if (isInterrupted()) {
         removeScene(files, given.folder, isFolderNew);

@@ -1,14 +1,13 @@
 #include "demos/scenes/record_scene.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "clearway/planning/check_path.h"
 #include "clearway/query.h"
@@ -56,15 +55,16 @@ struct Recorder {
 /// The command that makes equal files again.
 std::string Recorder::command() const {
     const scenes::SceneOptions& options = origin.options;
-    return "clearway-scene " + std::string(origin.row.name) + " --seed " + std::to_string(options.seed) +
-           " --part-triangles " + std::to_string(options.partTriangles) + " --environment-triangles " +
-           std::to_string(options.environmentTriangles) + " --clearance " + shortNumber(options.clearance);
+    return fmt::format(
+        "clearway-scene {} --seed {} --part-triangles {} --environment-triangles {} --clearance {}",
+        origin.row.name, options.seed, options.partTriangles, options.environmentTriangles,
+        shortNumber(options.clearance));
 }
 
 std::string Recorder::contents() const {
     const auto of = [](const Mesh& mesh) {
-        return counted(mesh.triangles.size(), "triangle") + " in " +
-               counted(mesh.components.size(), "component");
+        return fmt::format("{} in {}", counted(mesh.triangles.size(), "triangle"),
+                           counted(mesh.components.size(), "component"));
     };
     return "Part: " + of(partMesh) + "; environment: " + of(environmentMesh) + ".";
 }
@@ -100,9 +100,9 @@ std::string Recorder::writeReplay() const {
     Workspace workspace;
     std::size_t colliding = 0;
     for (const Pose& pose : poses) colliding += collides(task.part, task.environment, pose, workspace);
-    const std::string about = counted(poses.size(), "pose") + " beside the path, " +
-                              percent(static_cast<double>(colliding) / static_cast<double>(poses.size())) +
-                              " of them colliding";
+    const std::string about =
+        fmt::format("{} beside the path, {} of them colliding", counted(poses.size(), "pose"),
+                    percent(static_cast<double>(colliding) / static_cast<double>(poses.size())));
     writePoses(poses, files.replay);
     scenes::addComment(files.replay, {about + "; made by", command()});
     return about;
@@ -140,28 +140,25 @@ bool recordScene(const SceneOrigin& origin, const scenes::SceneFiles& files, con
         }
         least = std::min(least, stated + motion.lowerClearance);
     }
-    const std::string kept = shortened(least) + " (certified), expected " + readable(stated);
+    const std::string keptClearance = shortened(least) + " (certified), expected " + readable(stated);
     const std::string near =
         percent(recorder.nearShare()) + " of the path is within " + readable(kNear * stated);
     if (isInterrupted()) return true;
     const std::string replay = recorder.writeReplay();
 
     const std::string pathFile = std::filesystem::path(files.path).filename().string();
-    scenes::addComment(files.problem,
-                       {"Made by", recorder.command(), recorder.contents(),
-                        pathFile + " solves it; least clearance along it: " + kept + "; " + near + "."});
-    scenes::addComment(files.path,
-                       {"Made by", recorder.command(), "Least clearance: " + kept + "; " + near + "."});
-    facts()["least_clearance"] = toJson(least);
-    facts()["replay"] = files.replay;
-    printRow("least clearance", kept);
-    printRow("near", near);
-    printRow("replay", files.replay + ", " + replay);
+    scenes::addComment(files.problem, {"Made by", recorder.command(), recorder.contents(),
+                                       pathFile + " solves it; least clearance along it: " + keptClearance +
+                                           "; " + near + "."});
+    scenes::addComment(
+        files.path, {"Made by", recorder.command(), "Least clearance: " + keptClearance + "; " + near + "."});
+    tell({{"least clearance", keptClearance, "least_clearance", toJson(least)},
+          {"near", near},
+          {"replay", files.replay + ", " + replay, "replay", files.replay}});
     if (!wantsPreview || isInterrupted()) return true;
     recorder.writePreview();
     if (isInterrupted()) return true;
-    printRow("preview", files.preview);
-    facts()["preview"] = files.preview;
+    tell({{"preview", files.preview, "preview", files.preview}});
     return true;
 }
 

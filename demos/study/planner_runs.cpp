@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <memory>
+#include <map>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -68,48 +68,6 @@ Problem problemFor(const Problem& stated, const StudyPlanner& planner) {
     problem.planning.objectiveThreshold.reset();
     return problem;
 }
-
-class Runner {
-  public:
-    Runner(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-           GrowingTable<RunRow>& runs)
-        : problem_(problem),
-          options_(options),
-          folder_(folder),
-          runs_(runs),
-          scenes_(allEngines(options).size()) {}
-
-    bool runAll(const std::vector<PlannedRun>& planned) {
-        TimeLeft left(planned.size(), options_.seconds);
-        for (const PlannedRun& run : planned) {
-            if (options_.mustStop()) return false;
-            options_.report(fmt::format("{}: run {} of {}, {}, {} for its runs", problem_.name,
-                                        left.done() + 1, left.all(), run.name(), left.text()));
-            if (!runOnce(run)) return false;
-            left.step();
-        }
-        return true;
-    }
-
-  private:
-    const Scene& sceneOf(const PlannedRun& run) {
-        auto& scene = scenes_[run.strategy];
-        if (!scene) scene = std::make_unique<Scene>(buildScene(problem_, run.engine, options_));
-        return *scene;
-    }
-
-    bool runOnce(const PlannedRun& planned) {
-        const auto run = runPlanned(problem_, sceneOf(planned), options_, planned);
-        if (run) keepRun(*run, options_, folder_, runs_);
-        return run.has_value();
-    }
-
-    const StudyProblem& problem_;
-    const StudyOptions& options_;
-    std::string folder_;
-    GrowingTable<RunRow>& runs_;
-    std::vector<std::unique_ptr<Scene>> scenes_;  ///< one for each strategy, built when first needed
-};
 
 Benchmark experiment(const StudyProblem& problem, const StudyOptions& options, const Engine& engine) {
     Benchmark benchmark;
@@ -244,9 +202,23 @@ bool runPlanners(const StudyProblem& problem, const StudyOptions& options, const
                  GrowingTable<RunRow>& runs) {
     makeFolder(folder + "/calls");
     const std::vector<PlannedRun> planned = plannedRuns(options);
-    std::vector<PlannedRun> left;
-    for (const std::size_t run : missingRuns(problem, 0, options, runs)) left.push_back(planned[run]);
-    return Runner(problem, options, folder, runs).runAll(left);
+    const std::vector<std::size_t> missing = missingRuns(problem, 0, options, runs);
+    std::map<std::size_t, Scene> scenes;  // by strategy, built when first needed
+    TimeLeft left(missing.size(), options.seconds);
+    for (const std::size_t number : missing) {
+        const PlannedRun& run = planned[number];
+        if (options.mustStop()) return false;
+        options.report(fmt::format("{}: run {} of {}, {}, {} for its runs", problem.name, left.done() + 1,
+                                   left.all(), run.name(), left.text()));
+        auto scene = scenes.find(run.strategy);
+        if (scene == scenes.end())
+            scene = scenes.emplace(run.strategy, buildScene(problem, run.engine, options)).first;
+        const auto done = runPlanned(problem, scene->second, options, run);
+        if (!done) return false;
+        keepRun(*done, options, folder, runs);
+        left.step();
+    }
+    return true;
 }
 
 void writeStudyLogs(const StudyProblem& problem, const StudyOptions& options, const std::vector<RunRow>& runs,

@@ -199,8 +199,8 @@ SweepVerdict certifyPoses(const SceneClearance& clearance, const SteadyMotion& s
 
 void requireUnitLength(const PartState& state, const char* name) {
     if (canBeInterpolated(state)) return;
-    throw ArgumentError(fmt::format("the quaternion of {} has length {:f}, expected 1 to within 1e-9",
-                                            name, state.rotation.norm()));
+    throw ArgumentError(fmt::format("the quaternion of {} has length {:f}, expected 1 to within 1e-9", name,
+                                    state.rotation.norm()));
 }
 
 }  // namespace

@@ -9,6 +9,9 @@
 #include "clearway/scene.h"
 #include "clearway/sweep.h"
 
+// clearway::planning uses it too, from another shared library.
+#pragma GCC visibility push(default)
+
 namespace clearway {
 
 /// Bounds how far the part reaches from an axis.
@@ -69,3 +72,5 @@ double diagonalOf(const Box& box);  ///< 0 for an empty box
 double defaultLeastInterval(const Scene& scene);
 
 }  // namespace clearway
+
+#pragma GCC visibility pop

@@ -53,8 +53,8 @@ WhyInvalid::Kind brokenRule(const Scene& scene, const SceneDistance& nearest) {
 
 std::string pairWords(const WhyInvalid& why) {
     return fmt::format("triangle {} of the part's mesh '{}' and triangle {} of the environment's mesh '{}'",
-                       why.nearest.witness->partTriangle, why.partMesh, why.nearest.witness->environmentTriangle,
-                       why.environmentMesh);
+                       why.nearest.witness->partTriangle, why.partMesh,
+                       why.nearest.witness->environmentTriangle, why.environmentMesh);
 }
 
 std::string boundWords(const WhyInvalid::Coordinate& at) {

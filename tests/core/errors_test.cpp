@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_used_is_a_file_error) {
     const std::string missing = folder().file("missing"), text = folder().write("text.stl", "no mesh");
     const std::string beneath = text + "/x";
     Problem circular;
-    circular.robot = circular.world = folder().file("circle.stl");
-    std::filesystem::create_symlink(circular.robot, circular.robot);
+    circular.meshes.robot = circular.meshes.world = folder().file("circle.stl");
+    std::filesystem::create_symlink(circular.meshes.robot, circular.meshes.robot);
     expectType<FileError, std::runtime_error>({
         {"a missing mesh", [&] { loadMesh(missing + ".stl"); }},
         {"a text as a mesh", [&] { loadMesh(text); }},

@@ -31,7 +31,7 @@ void checkRefused(const Mesh& mesh, const BuildOptions& options, const std::vect
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_model_tells_its_box_radius_and_components) {
-    Mesh mesh = transformed(box({1, 2, 3}, 2), Pose{Matrix3::Identity(), {10, 0, 0}});
+    Mesh mesh = translated(box({1, 2, 3}, 2), {10, 0, 0});
     mesh.vertices.push_back({1000, 1000, 1000});  // no triangle's
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
     mesh.components = {{"left", 0, 5}, {"right", 5, count - 5}};

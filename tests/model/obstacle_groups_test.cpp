@@ -17,8 +17,7 @@ namespace {
 Mesh file(const std::string& name, const std::vector<std::string>& components) {
     Mesh all;
     for (std::size_t i = 0; i < components.size(); ++i) {
-        const Mesh one =
-            transformed(box({1, 1, 1}), {Matrix3::Identity(), {10.0 * static_cast<double>(i), 0, 0}});
+        const Mesh one = translated(box({1, 1, 1}), {10.0 * static_cast<double>(i), 0, 0});
         all = i == 0 ? one : joined(all, one);
     }
     all.components.clear();

@@ -12,6 +12,7 @@
 #include "support/each_target.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway {
 
@@ -76,15 +77,6 @@ void checkAgreement(const DistanceResult& whole, const DistanceResult& reduced, 
     BOOST_TEST(whole.witness->partTriangle == reduced.witness->partTriangle);
     BOOST_TEST(whole.witness->environmentTriangle == reduced.witness->environmentTriangle);
     BOOST_TEST(whole.witness->environmentComponent == reduced.witness->environmentComponent);
-}
-
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "not refused";
 }
 
 #define BOOST_TEST_SAYS(text, words) BOOST_TEST((text).find(words) != std::string::npos, text)
@@ -224,18 +216,21 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
     const double cap = c.reach.cap;
     Workspace workspace;
     Pose X = c.poses[0];
-    BOOST_TEST_SAYS(refusal([&] { isWithin(c.part, c.reduced, X, std::nextafter(cap, 9), workspace); }),
-                    "d is ");
-    BOOST_TEST_SAYS(refusal([&] { isWithinBatch(c.part, c.reduced, {X}, kInfinity); }), "d is inf");
+    BOOST_TEST_SAYS(
+        testing::refusalBy([&] { isWithin(c.part, c.reduced, X, std::nextafter(cap, 9), workspace); }),
+        "d is ");
+    BOOST_TEST_SAYS(testing::refusalBy([&] { isWithinBatch(c.part, c.reduced, {X}, kInfinity); }),
+                    "d is inf");
     X.translation.y() = std::nextafter(4, 5);
     const std::string outside = "the pose's translation along y is 4.00";
     for (const std::string& said :
-         {refusal([&] { distance(c.part, c.reduced, X, {}, workspace); }),
-          refusal([&] { collides(c.part, c.reduced, X, workspace); }),
-          refusal([&] { isWithin(c.part, c.reduced, X, 0.1, workspace); }), refusal([&] {
+         {testing::refusalBy([&] { distance(c.part, c.reduced, X, {}, workspace); }),
+          testing::refusalBy([&] { collides(c.part, c.reduced, X, workspace); }),
+          testing::refusalBy([&] { isWithin(c.part, c.reduced, X, 0.1, workspace); }),
+          testing::refusalBy([&] {
               distanceBatch(c.part, c.reduced, {c.poses[0], X});
           }),
-          refusal([&] {
+          testing::refusalBy([&] {
               isWithinBatch(c.part, c.reduced, {c.poses[0], X}, 0.1);
           })}) {
         BOOST_TEST_SAYS(said, outside);
@@ -243,15 +238,16 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
     }
     X = c.poses[0];
     const Model larger = Model::build(testing::box({5, 5, 5}));
-    BOOST_TEST_SAYS(refusal([&] { collides(larger, c.reduced, X, workspace); }),
+    BOOST_TEST_SAYS(testing::refusalBy([&] { collides(larger, c.reduced, X, workspace); }),
                     "the part's radius about its origin is 8.66");
-    BOOST_TEST_SAYS(refusal([&] { collides(c.reduced, larger, X, workspace); }),
+    BOOST_TEST_SAYS(testing::refusalBy([&] { collides(c.reduced, larger, X, workspace); }),
                     "the part was built with a reach");
     Reach wrong = c.reach;
     wrong.cap = -1;
-    BOOST_TEST_SAYS(refusal([&] { Model::build(c.environmentMesh, {}, wrong); }), "cap is -1");
+    BOOST_TEST_SAYS(testing::refusalBy([&] { Model::build(c.environmentMesh, {}, wrong); }), "cap is -1");
     const testing::TemporaryFolder folder;
-    BOOST_TEST_SAYS(refusal([&] { buildCached(c.environmentMesh, {}, folder.path(), wrong); }), "cap is -1");
+    BOOST_TEST_SAYS(testing::refusalBy([&] { buildCached(c.environmentMesh, {}, folder.path(), wrong); }),
+                    "cap is -1");
 }
 
 BOOST_AUTO_TEST_CASE(the_box_and_the_ids_are_those_of_the_whole_mesh) {
@@ -286,7 +282,7 @@ BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_reach_and_the_key_tells_it) {
     Pose X = c.poses[0];
     BOOST_TEST(distance(c.part, loaded, X, {}, a).lower == distance(c.part, c.reduced, X, {}, b).lower);
     X.translation.x() = 2.5;
-    BOOST_TEST_SAYS(refusal([&] { collides(c.part, loaded, X, a); }), "expected -3 to 2");
+    BOOST_TEST_SAYS(testing::refusalBy([&] { collides(c.part, loaded, X, a); }), "expected -3 to 2");
 
     std::vector<std::uint64_t> keys = {modelKey(c.environmentMesh, {}),
                                        modelKey(c.environmentMesh, {}, c.reach)};

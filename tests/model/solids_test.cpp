@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 51;
 
-Mesh at(const Mesh& mesh, const Vector3& place) {
-    return transformed(mesh, {Matrix3::Identity(), place});
-}
-
 bool holds(const Solid& solid, const Vector3& point) {
     return solid.winding({}, {}, point) > 0;
 }
@@ -77,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_cavity_is_outside_and_what_stands_in_it_is_inside) {
 BOOST_AUTO_TEST_CASE(shells_that_pierce_each_other_are_oriented_by_what_sticks_out) {
     for (int corner = 0; corner < 8; ++corner) {
         const Vector3 way(corner & 1 ? 0.9 : -0.9, corner & 2 ? 0.8 : -0.8, corner & 4 ? 0.7 : -0.7);
-        const Mesh first = box({1, 1, 1}, 2), second = at(box({1, 1, 1}, 2), way);
+        const Mesh first = box({1, 1, 1}, 2), second = translated(box({1, 1, 1}, 2), way);
         const Mesh both = joined(first, second);
         for (const bool isReversed : {false, true}) {
             const Solid solid(isReversed ? reversed(both) : both, "two");
@@ -103,14 +99,14 @@ BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     Mesh twisted = box({1, 1, 1});
     std::swap(twisted.triangles[0][0], twisted.triangles[0][1]);
     BOOST_TEST(refusalOf(twisted).find("3 edges where a triangle is turned over") != std::string::npos);
-    const Mesh mixed = joined(box({1, 1, 1}), reversed(at(box({1, 1, 1}), {5, 0, 0})));
+    const Mesh mixed = joined(box({1, 1, 1}), reversed(translated(box({1, 1, 1}), {5, 0, 0})));
     BOOST_TEST(refusalOf(mixed) ==
                "'bracket' encloses nothing: 1 of its outermost shells face outwards and 1 inwards, "
                "expected all to face one way");
 }
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_along_an_edge_hold_what_each_holds) {
-    const Mesh first = box({1, 1, 1}), second = at(box({1, 1, 1}), {2, 2, 0});
+    const Mesh first = box({1, 1, 1}), second = translated(box({1, 1, 1}), {2, 2, 0});
     for (const bool isReversed : {false, true}) {
         const Solid solid(isReversed ? reversed(joined(first, second)) : joined(first, second), "two");
         BOOST_TEST(!solid.hasWallInside());
@@ -162,8 +158,8 @@ BOOST_AUTO_TEST_CASE(points_a_rounding_from_the_surface_are_on_their_side) {
 
 BOOST_AUTO_TEST_CASE(windings_are_those_of_the_solid_angles_wherever_mesh_and_point_are_moved) {
     Random random(kSeed);
-    const Mesh mesh = joined(joined(reversed(torus(4, 1.5, 12)), at(box({1, 2, 3}, 2), {9, 0, 0})),
-                             reversed(at(box({0.5, 1, 1.5}), {9, 0.1, 0})));
+    const Mesh mesh = joined(joined(reversed(torus(4, 1.5, 12)), translated(box({1, 2, 3}, 2), {9, 0, 0})),
+                             reversed(translated(box({0.5, 1, 1.5}), {9, 0.1, 0})));
     const Solid solid(mesh, "several shells");
     const Component whole{"", 0, std::uint32_t(mesh.triangles.size())};
     int inside = 0;

@@ -13,12 +13,6 @@ using namespace clearway::testing;
 
 namespace {
 
-BuildOptions ofWidth(int width) {
-    BuildOptions options;
-    options.nodeWidth = width;
-    return options;
-}
-
 void checkAll(const QueryCase& queryCase, int width) {
     const ModelPair models = buildPair(queryCase, ofWidth(width));
     Workspace workspace;

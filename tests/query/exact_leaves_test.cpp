@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(every_kind_of_leaf_answers_exactly_for_the_mesh) {
         for (const Kind& ofPart : kKinds) {
             for (const Kind& ofEnvironment : kKinds) {
                 const auto placed = [&](const Mesh& mesh) {
-                    return transformed(scaledBy(mesh, place.scale), {Matrix3::Identity(), place.at});
+                    return translated(scaledBy(mesh, place.scale), place.at);
                 };
                 const Mesh part = ofPart.make(placed(randomSoup(random, 15, 1, 0.5))),
                            environment = ofEnvironment.make(placed(randomSoup(random, 15, 1, 0.5)));

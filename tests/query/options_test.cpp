@@ -17,12 +17,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-BuildOptions ofWidth(int width) {
-    BuildOptions options;
-    options.nodeWidth = width;
-    return options;
-}
-
 // Checks that the call throws std::invalid_argument with every one of the words.
 template <class Call>
 void checkRefused(const Call& call, const std::vector<std::string>& words) {

@@ -15,12 +15,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-BuildOptions ofWidth(int width) {
-    BuildOptions options;
-    options.nodeWidth = width;
-    return options;
-}
-
 }  // namespace
 
 BOOST_DATA_TEST_CASE(contact_is_never_missed_and_the_three_queries_agree_on_it, eachTarget() * eachWidth(),
@@ -79,8 +73,8 @@ BOOST_DATA_TEST_CASE(far_from_the_origin_the_three_queries_agree_on_contact, eac
     const UsingTarget using_(target);
     for (const double away : {1e8, 1e9, 3e10, 1e13}) {
         const Vector3 place(away, -away, away);
-        const QueryCase boxes = makeCase("boxes", box({1, 2, 3}, 1),
-                                         transformed(box({4, 5, 6}, 1), {Matrix3::Identity(), place}), {});
+        const QueryCase boxes =
+            makeCase("boxes", box({1, 2, 3}, 1), translated(box({4, 5, 6}, 1), place), {});
         const ModelPair models = buildPair(boxes, ofWidth(width));
         Workspace warm;
         int contacts = 0, free = 0;

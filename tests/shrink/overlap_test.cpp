@@ -24,7 +24,7 @@ double depthOf(const Mesh& part, const Vector3& point) {
 
 BOOST_AUTO_TEST_CASE(a_corner_that_reaches_into_a_box_is_as_deep_as_it_is) {
     const OverlapMeter meter(box({5, 5, 5}));
-    const Mesh block = transformed(box({2, 2, 2}), {Matrix3::Identity(), {6, 0, 0}});
+    const Mesh block = translated(box({2, 2, 2}), {6, 0, 0});
     const DeepestPoint found = meter.deepest(block, {});
     BOOST_TEST(found.lower <= 1);
     BOOST_TEST(found.upper >= 1);
@@ -35,9 +35,8 @@ BOOST_AUTO_TEST_CASE(a_corner_that_reaches_into_a_box_is_as_deep_as_it_is) {
 
 BOOST_AUTO_TEST_CASE(what_is_outside_or_only_touches_has_no_depth_of_interest) {
     const OverlapMeter meter(box({5, 5, 5}));
-    BOOST_TEST(meter.deepest(transformed(box({1, 1, 1}), {Matrix3::Identity(), {9, 0, 0}}), {}).upper == 0);
-    const DeepestPoint touching =
-        meter.deepest(transformed(box({1, 1, 1}), {Matrix3::Identity(), {6, 0, 0}}), {});
+    BOOST_TEST(meter.deepest(translated(box({1, 1, 1}), {9, 0, 0}), {}).upper == 0);
+    const DeepestPoint touching = meter.deepest(translated(box({1, 1, 1}), {6, 0, 0}), {});
     BOOST_TEST(touching.lower <= 1e-9);
     BOOST_TEST(touching.upper < 0.002);
 }

@@ -19,11 +19,6 @@ BOOST_AUTO_TEST_SUITE(shrink_test)
 
 namespace {
 
-Mesh named(Mesh mesh, const std::string& name) {
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
-
 /// Both meshes, with their components.
 Mesh both(const Mesh& a, const Mesh& b) {
     Mesh mesh = joined(a, b);
@@ -33,10 +28,6 @@ Mesh both(const Mesh& a, const Mesh& b) {
         mesh.components.push_back(component);
     }
     return mesh;
-}
-
-Mesh at(const Mesh& mesh, const Vector3& place) {
-    return transformed(mesh, {Matrix3::Identity(), place});
 }
 
 Mesh pointMeshAt(const Vector3& point) {
@@ -122,10 +113,10 @@ BOOST_AUTO_TEST_CASE(a_box_shrinks_to_a_box) {
 BOOST_AUTO_TEST_CASE(every_point_of_a_shrunk_part_is_as_deep_as_promised) {
     checkShrunk(box({3, 2, 1}, 3), {0.25, 0.05});
     checkShrunk(tube(2, 3, 6, 12), {0.2, 0.2});
-    checkShrunk(at(box({3, 2, 1}), {1e4, -2e4, 3e4}), {0.25, 0.1});  // far from the origin
-    checkShrunk(box({0.02, 1, 1}), {0.01, 0.005});                   // a thin sheet
-    checkShrunk(box({0.05, 0.05, 1}), {0.02, 0.01});                 // a needle
-    checkShrunk(box({1e-5, 2e-5, 3e-5}), {1e-6, 1e-6});              // units do not matter
+    checkShrunk(translated(box({3, 2, 1}), {1e4, -2e4, 3e4}), {0.25, 0.1});  // far from the origin
+    checkShrunk(box({0.02, 1, 1}), {0.01, 0.005});                           // a thin sheet
+    checkShrunk(box({0.05, 0.05, 1}), {0.02, 0.01});                         // a needle
+    checkShrunk(box({1e-5, 2e-5, 3e-5}), {1e-6, 1e-6});                      // units do not matter
     checkShrunk(box({1e7, 2e7, 3e7}), {1e6, 1e6});
     if (!isFullRun()) return;
     checkShrunk(sphere(2, 8), {0.5, 0.1});
@@ -142,7 +133,8 @@ BOOST_AUTO_TEST_CASE(cavities_grow_and_pieces_stay_apart) {
     one.components = {};
     checkShrunk(one, {0.2, 0.1});
     BOOST_TEST(shrink(one, {0.2, 0.1}).leftOut.empty());
-    const Mesh two = both(named(box({1, 1, 1}), "left"), named(at(box({1, 1, 1}), {3, 0, 0}), "right"));
+    const Mesh two =
+        both(named(box({1, 1, 1}), "left"), named(translated(box({1, 1, 1}), {3, 0, 0}), "right"));
     const ShrunkPart shrunk = shrink(two, {0.2, 0.1});
     BOOST_TEST(shrunk.leftOut.empty());
     BOOST_TEST(isIn(shrunk.mesh, {0, 0, 0}));
@@ -226,13 +218,13 @@ BOOST_AUTO_TEST_CASE(what_shrinking_leaves_out_is_named) {
     BOOST_REQUIRE(!cut.empty());
     BOOST_TEST(cut[0] == "shrinking cuts through 'blocks'");
     const Mesh pinAndBlock =
-        both(named(box({2, 2, 2}), "block"), named(at(box({0.1, 0.1, 1}), {5, 0, 0}), "pin"));
+        both(named(box({2, 2, 2}), "block"), named(translated(box({0.1, 0.1, 1}), {5, 0, 0}), "pin"));
     const std::vector<std::string> lost = shrink(pinAndBlock, options).leftOut;
     BOOST_REQUIRE(lost.size() == 1u);
     BOOST_TEST(lost[0] == "nothing is left of 'pin'");
     // One piece falls apart and another one vanishes, which leaves as many pieces as there were.
     const Mesh blocksAndPin =
-        named(joined(blocksWithWeb(0.3), at(box({0.1, 0.1, 1}), {9, 0, 0})), "blocks and pin");
+        named(joined(blocksWithWeb(0.3), translated(box({0.1, 0.1, 1}), {9, 0, 0})), "blocks and pin");
     const std::vector<std::string> both = shrink(blocksAndPin, options).leftOut;
     BOOST_REQUIRE(both.size() >= 2u);
     BOOST_TEST(both[0] == "nothing is left of 1 of the 2 pieces of 'blocks and pin'");
@@ -331,12 +323,13 @@ BOOST_AUTO_TEST_CASE(only_the_outside_of_components_that_meet_counts) {
             }
         }
     };
-    const Mesh cube = box({1, 1, 1}), two = at(box({2, 1, 1}), {1, 0, 0});
-    check(both(named(cube, "a"), named(at(cube, {2, 0, 0}), "b")), two);           // face on face
-    check(both(named(cube, "a"), named(at(cube, {2 + 1e-7, 0, 0}), "b")), two);    // a gap of rounding
-    check(joined(box({3, 3, 3}), cube), box({3, 3, 3}));                           // one in the other
-    check(both(named(cube, "a"), named(cube, "b")), cube);                         // one twice
-    check(both(named(two, "a"), named(reversed(at(cube, {1, 0, 0})), "b")), two);  // one faces inwards
+    const Mesh cube = box({1, 1, 1}), two = translated(box({2, 1, 1}), {1, 0, 0});
+    check(both(named(cube, "a"), named(translated(cube, {2, 0, 0}), "b")), two);         // face on face
+    check(both(named(cube, "a"), named(translated(cube, {2 + 1e-7, 0, 0}), "b")), two);  // a gap of rounding
+    check(joined(box({3, 3, 3}), cube), box({3, 3, 3}));                                 // one in the other
+    check(both(named(cube, "a"), named(cube, "b")), cube);                               // one twice
+    check(both(named(two, "a"), named(reversed(translated(cube, {1, 0, 0})), "b")),
+          two);  // one faces inwards
     check(plusOfBoxes(true), plusOutline());
     check(plusOfBoxes(false), plusOutline());
     const Mesh shell = named(joined(box({3, 3, 3}), reversed(box({2, 2, 2}))), "shell");
@@ -352,7 +345,7 @@ Mesh slotted(double height) {
 
 BOOST_AUTO_TEST_CASE(a_slot_that_something_fills_is_no_wall_in_the_part) {
     const double height = 0.01;  // less than the fineness: in front of the slot's wall is the part itself
-    const Mesh shim = named(at(box({2, 0.5 * height, 1}), {-3, 0.5 * height, 0}), "shim");
+    const Mesh shim = named(translated(box({2, 0.5 * height, 1}), {-3, 0.5 * height, 0}), "shim");
     Random random(3);
     for (const Pose& pose : {Pose{}, Pose{random.rotation(), {1, -2, 3}}}) {
         const SurfaceDepth filled(transformed(both(named(slotted(height), "block"), shim), pose), 0.1);
@@ -369,7 +362,7 @@ BOOST_AUTO_TEST_CASE(a_slot_that_something_fills_is_no_wall_in_the_part) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_that_touches_itself_along_edges_shrinks_as_promised) {
-    const Mesh touching = named(joined(box({1, 1, 1}), at(box({1, 1, 1}), {2, 2, 0})), "two");
+    const Mesh touching = named(joined(box({1, 1, 1}), translated(box({1, 1, 1}), {2, 2, 0})), "two");
     checkShrunk(touching, {0.2, 0.1});
     const ShrunkPart shrunk = shrink(touching, {0.2, 0.1});
     BOOST_TEST(shrunk.leftOut == std::vector<std::string>{"shrinking cuts through 'two'"},
@@ -389,15 +382,14 @@ BOOST_AUTO_TEST_CASE(a_wall_between_boxes_of_one_surface_is_not_outside) {
         BOOST_TEST(depth > 0.9 - surface.slack());
         BOOST_TEST(depth < 0.9 + 1e-9);
     }
-    checkShrunk(shrink(walled, {0.3, 0.3}), transformed(box({2, 1, 1}), {Matrix3::Identity(), {1, 0, 0}}),
-                40);
+    checkShrunk(shrink(walled, {0.3, 0.3}), translated(box({2, 1, 1}), {1, 0, 0}), 40);
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_below_its_own_overhang_stays_outside) {
     // The centre of a floor's triangle lies below the overhang; a bolt makes this a part of components that meet.
     Mesh block = slotted(1e-3);
     for (const std::uint32_t v : {5, 6, 13, 14}) block.vertices[v].x() = 1;
-    const Mesh bolt = named(at(box({0.5, 0.5, 0.5}), {-9, -1, 0}), "bolt");
+    const Mesh bolt = named(translated(box({0.5, 0.5, 0.5}), {-9, -1, 0}), "bolt");
     const SurfaceDepth surface(both(named(block, "block"), bolt), 0.1);
     Workspace workspace;
     for (const double x : {1.1, 2.0, 8.0}) {
@@ -443,7 +435,7 @@ BOOST_AUTO_TEST_CASE(a_shell_that_encloses_nothing_is_no_wall_in_the_part) {
     flat.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
     const Mesh block = box({3, 3, 3});
     for (const Vector3& place : {Vector3(0, 0, 0), Vector3(6, 0, 0)}) {
-        checkShrunk(shrink(named(joined(block, at(flat, place)), "p"), {0.3, 0.2}), block, 60);
+        checkShrunk(shrink(named(joined(block, translated(flat, place)), "p"), {0.3, 0.2}), block, 60);
     }
 }
 

@@ -144,8 +144,7 @@ std::vector<MeshPair> meshPairs(std::uint64_t seed) {
     pairs.push_back({"bracket_and_assembly", bracket(60, 3, 8, 16), cadAssembly(random, 200)});
     pairs.push_back({"sphere_and_plate", sphere(30, 8), plateWithHole(250, 2, 40, 48)});
     pairs.push_back({"box_and_boxes", box({40, 25, 5}, 2),
-                     joined(box({100, 100, 4}, 6),
-                            transformed(box({5, 90, 60}, 4), Pose{Matrix3::Identity(), {60, 0, 64}}))});
+                     joined(box({100, 100, 4}, 6), translated(box({5, 90, 60}, 4), {60, 0, 64}))});
     pairs.push_back({"assemblies", cadAssembly(random, 60), cadAssembly(random, 150)});
     return pairs;
 }

@@ -35,13 +35,12 @@ Reach reachOf(const CrowdedLayout& layout, const Model& part, double margin) {
 }
 
 Obstacle obstacleOf(const CrowdedLayout& layout, const CrowdedLayout::Piece& piece, const Model& part) {
-    Mesh mesh = transformed(piece.mesh, {Matrix3::Identity(), layout.at});
+    Mesh mesh = translated(piece.mesh, layout.at);
     std::optional<Reach> reach;
     if (layout.hasReach) {
         reach = reachOf(layout, part, piece.margin);
         const double away = 4 * (reach->positions.diagonal().norm() + reach->partRadius + reach->cap);
-        mesh =
-            joined(mesh, transformed(box({1, 1, 1}), {Matrix3::Identity(), layout.at + Vector3(away, 0, 0)}));
+        mesh = joined(mesh, translated(box({1, 1, 1}), layout.at + Vector3(away, 0, 0)));
     }
     Obstacle obstacle{Model::build(mesh, {}, reach), piece.margin};
     if (piece.isSolid) obstacle.solids = makeSolids(mesh).solids;
@@ -51,7 +50,7 @@ Obstacle obstacleOf(const CrowdedLayout& layout, const CrowdedLayout::Piece& pie
 }
 
 Scene sceneOf(const CrowdedLayout& layout) {
-    const Mesh partMesh = transformed(layout.body, {Matrix3::Identity(), layout.bodyInPart});
+    const Mesh partMesh = translated(layout.body, layout.bodyInPart);
     Scene scene(Model::build(partMesh));
     scene.partSolids = makeSolids(partMesh).solids;
     for (const auto& piece : layout.pieces) scene.obstacles.push_back(obstacleOf(layout, piece, scene.part));
@@ -135,7 +134,7 @@ ob::ScopedState<> CrowdedScene::state(const PartState& body) const {
 namespace {
 
 Mesh movedTo(const Vector3& place, const Mesh& mesh) {
-    return transformed(mesh, {Matrix3::Identity(), place});
+    return translated(mesh, place);
 }
 
 /// Triangles 1000 times longer than wide.

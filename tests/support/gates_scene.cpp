@@ -9,7 +9,7 @@ namespace {
 
 Mesh post(double x, double low, double high) {
     const Vector3 half(2, (high - low) / 2, 20);
-    return transformed(box(half, 3), {Matrix3::Identity(), {x, (low + high) / 2, 0}});
+    return translated(box(half, 3), {x, (low + high) / 2, 0});
 }
 
 /// A wall with gates from -12 to 12 and, on one side (1 or -1), from 25 to 57.

@@ -3,8 +3,10 @@
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/PathGeometric.h>
 
 #include <memory>
+#include <vector>
 
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/validity_checker.h"
@@ -49,6 +51,13 @@ struct MotionWindow {
     Space spaceKind;
     std::shared_ptr<planning::MotionValidator> validator;
 };
+
+inline ompl::geometric::PathGeometric pathOf(const MotionWindow& f,
+                                             const std::vector<ompl::base::ScopedState<>>& states) {
+    ompl::geometric::PathGeometric path(f.si);
+    for (const ompl::base::ScopedState<>& state : states) path.append(state.get());
+    return path;
+}
 
 inline planning::MotionOptions withLeastInterval(double length) {
     planning::MotionOptions options;

@@ -30,7 +30,7 @@ std::vector<Vector3> centres() {
 Mesh posts() {
     Mesh all;
     for (const Vector3& centre : centres()) {
-        all = joined(all, transformed(box({2.5, 2.5, 20}, 2), {Matrix3::Identity(), centre}));
+        all = joined(all, translated(box({2.5, 2.5, 20}, 2), centre));
     }
     return all;
 }

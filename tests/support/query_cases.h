@@ -37,6 +37,12 @@ struct ModelPair {
     Model environment;
 };
 
+inline BuildOptions ofWidth(int width) {
+    BuildOptions options;
+    options.nodeWidth = width;
+    return options;
+}
+
 ModelPair buildPair(const QueryCase& queryCase, const BuildOptions& options = {});
 
 /// The largest absolute coordinate among environment, part, moved part and the pose's translation: M in the

@@ -72,6 +72,15 @@ Mesh transformed(const Mesh& mesh, const Pose& X_ab) {
     return result;
 }
 
+Mesh translated(const Mesh& mesh, const Vector3& by) {
+    return transformed(mesh, {Matrix3::Identity(), by});
+}
+
+Mesh named(Mesh mesh, const std::string& name) {
+    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
 Mesh scaledBy(const Mesh& mesh, double factor) {
     Mesh result = mesh;
     for (Vector3& vertex : result.vertices) vertex *= factor;

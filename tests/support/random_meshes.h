@@ -57,6 +57,8 @@ Mesh cadAssembly(Random& random, double size);
 
 Mesh joined(const Mesh& a, const Mesh& b);
 Mesh transformed(const Mesh& mesh, const Pose& X_ab);
+Mesh translated(const Mesh& mesh, const Vector3& by);
+Mesh named(Mesh mesh, const std::string& name);  ///< with one component
 Mesh scaledBy(const Mesh& mesh, double factor);  ///< exact for powers of two
 Mesh shuffled(Random& random,
               const Mesh& mesh);  ///< triangles, their corners and the vertices, each in another order

@@ -13,7 +13,7 @@ Model built(const Mesh& mesh, int nodeWidth) {
 }
 
 Mesh moved(const Mesh& mesh, const Vector3& by) {
-    return transformed(mesh, {Matrix3::Identity(), by});
+    return translated(mesh, by);
 }
 
 }  // namespace

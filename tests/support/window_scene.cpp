@@ -6,7 +6,7 @@ namespace clearway::testing {
 namespace {
 
 Mesh wallPiece(const Vector3& low, const Vector3& high, const std::string& name) {
-    Mesh piece = transformed(box((high - low) / 2, 3), {Matrix3::Identity(), (low + high) / 2});
+    Mesh piece = translated(box((high - low) / 2, 3), (low + high) / 2);
     piece.components = {{name, 0, static_cast<std::uint32_t>(piece.triangles.size())}};
     return piece;
 }

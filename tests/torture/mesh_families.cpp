@@ -10,7 +10,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 Mesh shifted(const Mesh& mesh, const Vector3& by) {
-    return transformed(mesh, Pose{Matrix3::Identity(), by});
+    return translated(mesh, by);
 }
 
 /// A turn about an axis by a share of the full circle; exact for quarters.

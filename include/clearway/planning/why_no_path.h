@@ -49,6 +49,9 @@ struct Blocker {
     std::size_t motions() const { return atStart + atGoal; }
 };
 
+/// Names a side of the bounds: "least x", "greatest z".
+std::string boundNamed(const BoxSide& side);
+
 /// How far the part comes from the start or the goal.
 struct ReachedFrom {
     std::size_t states = 1;  ///< reached from there by valid motions, itself included
@@ -56,8 +59,8 @@ struct ReachedFrom {
     /// The most that any point of the part moves from there to a state reached; see Model::displacement.
     double farthest = 0;
     std::size_t motionsStopped = 0;  ///< of the motions tried from these states
-    /// The bounds that the part's origin is within a thousandth of the part's diagonal of: "least x", "greatest z".
-    std::vector<std::string> bounds;
+    /// The sides of the bounds that the part's origin is within a thousandth of the part's diagonal of.
+    std::vector<BoxSide> bounds;
 };
 
 /// Where the states reached from the start and those reached from the goal are closest.

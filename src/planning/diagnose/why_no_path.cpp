@@ -41,15 +41,14 @@ double farthestIn(const FailedTree& tree, const MotionValidator& validator, cons
     return farthest;
 }
 
-std::vector<std::string> touchedBounds(const PartState& state, Space kind, const ob::RealVectorBounds& bounds,
-                                       double tolerance) {
-    const char* const axes[] = {"x", "y", "z"};
-    std::vector<std::string> touched;
+std::vector<BoxSide> touchedBounds(const PartState& state, Space kind, const ob::RealVectorBounds& bounds,
+                                   double tolerance) {
+    std::vector<BoxSide> touched;
     for (int axis = 0; axis < (kind == Space::kSe2 ? 2 : 3); ++axis) {
         const auto i = static_cast<std::size_t>(axis);
         const double at = state.position[axis];
-        if (at - bounds.low[i] <= tolerance) touched.push_back(std::string("least ") + axes[axis]);
-        if (bounds.high[i] - at <= tolerance) touched.push_back(std::string("greatest ") + axes[axis]);
+        if (at - bounds.low[i] <= tolerance) touched.push_back({axis, false});
+        if (bounds.high[i] - at <= tolerance) touched.push_back({axis, true});
     }
     return touched;
 }
@@ -91,6 +90,10 @@ std::optional<ob::ScopedState<>> posedGoal(const Problem& problem, const ob::Pro
 }
 
 }  // namespace
+
+std::string boundNamed(const BoxSide& side) {
+    return std::string(side.isUpper ? "greatest " : "least ") + "xyz"[side.axis];
+}
 
 WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
                     const WhyNoPathOptions& options) try {

@@ -63,10 +63,9 @@ void useThreshold(ob::OptimizationObjective& objective, const Problem& problem,
                   const ob::ProblemDefinition& definition, const std::string& unit) {
     const ob::Cost threshold(*problem.planning.objectiveThreshold), bound = boundOf(objective, definition);
     if (threshold.value() != 0 && objective.isCostBetterThan(threshold, bound)) {
-        throw ArgumentError(problem.file + ": objective.threshold is " +
-                                    shortNumber(threshold.value()) +
-                                    ", which no path meets: " + problem.planning.objective + " is at best " +
-                                    withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
+        throw ArgumentError(problem.file + ": objective.threshold is " + shortNumber(threshold.value()) +
+                            ", which no path meets: " + problem.planning.objective + " is at best " +
+                            withUnit(roundedNumber(bound.value()), unit) + " between start and goal");
     }
     const bool isLeast = dynamic_cast<const MinClearanceObjective*>(&objective) != nullptr;
     if (!isLeast || (threshold.value() != 0 && threshold.value() < objective.getCostThreshold().value()))

@@ -82,10 +82,12 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
           {"objective", problem.planning.objective + (threshold ? ", threshold " + readable(*threshold) : ""),
            "objective", problem.planning.objective},
           kept("objective_threshold", threshold ? Json(*threshold) : Json()),
-          shownIf(!problem.planning.sampler.empty(), {"sampler", problem.planning.sampler, "sampler", problem.planning.sampler}),
+          shownIf(!problem.planning.sampler.empty(),
+                  {"sampler", problem.planning.sampler, "sampler", problem.planning.sampler}),
           optionalFact("goal threshold", "goal_threshold", problem.planning.goalThreshold),
           kept("settings", namedValues(problem.planning.settings))});
-    for (const auto& [setting, value] : problem.planning.settings) printRow("setting", setting + " = " + value);
+    for (const auto& [setting, value] : problem.planning.settings)
+        printRow("setting", setting + " = " + value);
     const std::size_t planners = problem.planning.planners.size();
     tell({{"margin", statedLength(problem.margin), "margin", toJson(problem.margin)},
           {"unit", problem.unit.empty() ? "not stated" : problem.unit},
@@ -119,10 +121,11 @@ void describeEnd(const std::string& end, const SceneClearance& clearance, const 
     const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     tell({{label,
-           !why.isValid()       ? "NOT valid: " + why.words()
-           : !at.nearest.witness ? "valid, with nothing near"
-                                 : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
-                                               names.part, names.environment, leftOutAt(at)),
+           !why.isValid() ? "NOT valid: " + why.words()
+           : !at.nearest.witness
+               ? "valid, with nothing near"
+               : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
+                             names.part, names.environment, leftOutAt(at)),
            "at_" + end,
            {{"valid", why.isValid()},
             {"kind", nameOf(why.kind)},

@@ -1,8 +1,13 @@
 // Keeps the path file of an earlier run from being taken for that of a run that failed.
 #pragma once
 
+#include <exception>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include "core/replace_file.h"
+#include "program/options/print.h"
 
 namespace clearway::cli {
 
@@ -18,7 +23,15 @@ class OldPath {
     void isReplaced() { file_.clear(); }
     void stays() { file_.clear(); }  ///< after wrong usage
     /// Sets the file aside (setAside) and prints a row about it, or a warning when it cannot; once.
-    void leave();
+    void leave() {
+        if (file_.empty()) return;
+        try {
+            const std::optional<std::string> name = setAside(std::exchange(file_, {}));
+            if (name) printRow("old path", "moved to " + *name + ", because there is no new one");
+        } catch (const std::exception& error) {
+            printWarnings({std::string("the old path is still there: ") + error.what()});
+        }
+    }
 
   private:
     std::string file_;

@@ -83,18 +83,19 @@ void printBlockers(const WhyNoPath& why) {
 }
 
 void printTouchedBounds(const ReachedFrom& end, const std::string& name) {
-    if (!end.bounds.empty()) printRow("bounds", "the " + name + " is at the " + joined(end.bounds));
+    std::vector<std::string> names;
+    for (const BoxSide& bound : end.bounds) names.push_back(planning::boundNamed(bound));
+    if (!names.empty()) printRow("bounds", "the " + name + " is at the " + joined(names));
 }
 
-/// "volume.min.x" for "least x".
-std::string volumeKey(const std::string& bound) {
-    return std::string(bound.compare(0, 5, "least") == 0 ? "volume.min." : "volume.max.") + bound.back();
+std::string volumeKey(const BoxSide& bound) {
+    return std::string(bound.isUpper ? "volume.max." : "volume.min.") + "xyz"[bound.axis];
 }
 
 void printHintOfBounds(const WhyNoPath& why, const Problem& problem) {
     std::vector<std::string> keys;
     for (const ReachedFrom* end : {&why.start, &why.goal}) {
-        for (const std::string& bound : end->bounds) {
+        for (const BoxSide& bound : end->bounds) {
             if (std::find(keys.begin(), keys.end(), volumeKey(bound)) == keys.end())
                 keys.push_back(volumeKey(bound));
         }

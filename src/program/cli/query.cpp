@@ -85,8 +85,9 @@ std::string describe(const Question& question, const Answer& answer, const Model
     const DistanceResult& found = answer.distance;
     if (isBeyondCap(found)) return "beyond the cap";
     return fmt::format("{}, on the part {}triangle {} at {}, on the environment {}triangle {} at {}",
-                       readable(found.distance), quotedNameAt(part, found.witness->partComponent), found.witness->partTriangle,
-                       readable(found.witness->pointOnPart), quotedNameAt(environment, found.witness->environmentComponent),
+                       readable(found.distance), quotedNameAt(part, found.witness->partComponent),
+                       found.witness->partTriangle, readable(found.witness->pointOnPart),
+                       quotedNameAt(environment, found.witness->environmentComponent),
                        found.witness->environmentTriangle, readable(found.witness->pointOnEnvironment));
 }
 

@@ -93,8 +93,9 @@ void tellPose(double share, const PartState& state, const std::string& shown, co
 void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at,
               const WhyInvalid& why) {
     const MeshNames names = distinctMeshNames(scene, at.nearest);
-    const std::string between =
-        !at.nearest.witness ? " or more" : fmt::format(", between '{}' and '{}'", names.part, names.environment);
+    const std::string between = !at.nearest.witness
+                                    ? " or more"
+                                    : fmt::format(", between '{}' and '{}'", names.part, names.environment);
     tellPose(share, state,
              !why.isValid()         ? "NOT valid: " + why.words()
              : std::isinf(at.lower) ? "nothing to keep clear of"

@@ -17,12 +17,6 @@ namespace og = ompl::geometric;
 
 using Fixture = testing::MotionWindow;
 
-og::PathGeometric pathOf(const Fixture& f, const std::vector<ob::ScopedState<>>& states) {
-    og::PathGeometric path(f.si);
-    for (const ob::ScopedState<>& state : states) path.append(state.get());
-    return path;
-}
-
 PathAudit profiled(const og::PathGeometric& path, const MotionValidator& validator) {
     AuditOptions options;
     options.profile = true;

@@ -7,6 +7,7 @@
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -17,15 +18,6 @@ namespace {
 namespace ob = ompl::base;
 using planning::MotionReport;
 using planning::MotionVerdict;
-
-Mesh at(const Mesh& mesh, const Vector3& place) {
-    return transformed(mesh, {Matrix3::Identity(), place});
-}
-
-Mesh named(Mesh mesh, const std::string& name) {
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
 
 Scene solidScene(const Mesh& part, const Mesh& obstacle, double margin = 0) {
     Scene scene(Model::build(part), Model::build(obstacle), margin);
@@ -98,7 +90,7 @@ BOOST_AUTO_TEST_CASE(a_cavity_is_free_and_its_wall_is_not) {
 }
 
 BOOST_AUTO_TEST_CASE(each_loose_piece_of_the_part_counts) {
-    const Mesh part = named(joined(box({1, 1, 1}), at(box({1, 1, 1}), {30, 0, 0})), "pair");
+    const Mesh part = named(joined(box({1, 1, 1}), translated(box({1, 1, 1}), {30, 0, 0})), "pair");
     const Mesh block = named(box({10, 10, 10}), "block");
     checkEnclosed(solidScene(part, block), {-30, 0, 0});
     checkEnclosed(solidScene(part, block), {0, 0, 0});
@@ -106,7 +98,7 @@ BOOST_AUTO_TEST_CASE(each_loose_piece_of_the_part_counts) {
 }
 
 BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_one_cannot) {
-    const Mesh bolt = named(at(box({1, 1, 1}), {3, 3, 3}), "bolt");
+    const Mesh bolt = named(translated(box({1, 1, 1}), {3, 3, 3}), "bolt");
     Mesh part = named(box({10, 10, 10}), "cover");
     checkEnclosed(solidScene(part, bolt), {0, 0, 0}, false);
     part.triangles.pop_back();
@@ -122,11 +114,11 @@ BOOST_AUTO_TEST_CASE(an_obstacle_inside_a_closed_part_counts_and_inside_an_open_
 BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
     Mesh obstacle =
         joined(reversed(torus(40, 15, 12)), joined(box({20, 20, 20}), reversed(box({15, 15, 15}))));
-    obstacle = joined(obstacle, at(box({8, 9, 10}), {70, 0, 0}));
+    obstacle = joined(obstacle, translated(box({8, 9, 10}), {70, 0, 0}));
     const std::uint32_t torusTriangles = static_cast<std::uint32_t>(torus(40, 15, 12).triangles.size());
     obstacle.components = {
         {"ring", 0, torusTriangles}, {"tank", torusTriangles, 24}, {"block", torusTriangles + 24, 12}};
-    const Mesh part = joined(box({1, 2, 3}), at(sphere(2, 6), {9, 0, 0}));
+    const Mesh part = joined(box({1, 2, 3}), translated(sphere(2, 6), {9, 0, 0}));
     for (const double margin : {0.0, 0.5}) {
         const Scene scene = solidScene(part, obstacle, margin);
         const PartInSpace solid(scene);
@@ -212,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_motion_at_the_border_of_a_contact_zone_in_a_solid_is_unde
 // The part is far from its own origin, so that the turn of 8e-5 that OMPL leaves out until the end takes it out of the block.
 BOOST_AUTO_TEST_CASE(a_motion_out_of_a_solid_by_a_turn_that_ompl_leaves_out_is_invalid) {
     const Vector3 bodyInPart(0, 1e5, 0);
-    const PartInSpace solid(solidScene(at(box({0.5, 0.5, 0.5}), bodyInPart), box({3, 3, 3})), 2e5);
+    const PartInSpace solid(solidScene(translated(box({0.5, 0.5, 0.5}), bodyInPart), box({3, 3, 3})), 2e5);
     const auto inside = solid.at(-bodyInPart), outside = solid.at(-bodyInPart, 8e-5);
     BOOST_TEST(!solid.checker->isValid(inside.get()));
     BOOST_TEST(solid.checker->isValid(outside.get()));
@@ -235,9 +227,7 @@ BOOST_AUTO_TEST_CASE(a_motion_out_of_a_solid_by_a_turn_that_ompl_leaves_out_is_i
 BOOST_AUTO_TEST_CASE(solids_without_the_parts_are_refused) {
     Scene scene = solidScene(box({1, 1, 1}), box({5, 5, 5}));
     scene.partSolids = nullptr;
-    BOOST_CHECK_EXCEPTION(PartInSpace{scene}, std::invalid_argument, [](const std::exception& error) {
-        return std::string(error.what()).find("partSolids is null") != std::string::npos;
-    });
+    requireRefusedBy([&] { PartInSpace{scene}; }, {"partSolids is null"});
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,9 +15,11 @@
 #include "planning/space/ompl_states.h"
 #include "support/full_run.h"
 #include "support/motion_window.h"
+#include "support/ompl_log.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -30,24 +31,6 @@ namespace ob = ompl::base;
 
 using Fixture = testing::MotionWindow;
 using testing::withLeastInterval;
-
-template <class Call>
-void requireRefused(const Call& call, const std::string& words) {
-    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::exception& error) {
-        return std::string(error.what()).find(words) != std::string::npos;
-    });
-}
-
-/// While a Log lives, it catches OMPL's messages and keeps them off the terminal.
-class Log : public ompl::msg::OutputHandler {
-  public:
-    Log() { ompl::msg::useOutputHandler(this); }
-    ~Log() override { ompl::msg::restorePreviousOutputHandler(); }
-    void log(const std::string& text, ompl::msg::LogLevel, const char*, int) override {
-        lines.push_back(text);
-    }
-    std::vector<std::string> lines;
-};
 
 BOOST_AUTO_TEST_CASE(a_report_tells_what_blocks_and_where) {
     const Fixture f(0.5);
@@ -174,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_profile_goes_on_behind_what_blocks) {
 // The part starts less than a least interval from a block and slides along a plate, so that 0 is its least clearance.
 BOOST_AUTO_TEST_CASE(a_motion_from_a_tight_start_along_a_plate_takes_no_longer_than_others) {
     const auto boxAt = [](const Vector3& halfSides, const Vector3& place) {
-        return testing::transformed(testing::box(halfSides), {Matrix3::Identity(), place});
+        return testing::translated(testing::box(halfSides), place);
     };
     const Mesh blockAndPlate =
         testing::joined(boxAt({1, 9, 3}, {-5, 0, 0}), boxAt({90, 9, 1}, {99, 0, -1.5}));
@@ -233,9 +216,10 @@ BOOST_AUTO_TEST_CASE(another_space_is_refused_by_name_and_works_through_callback
     line->setBounds(-100, 100);
     line->setName("rail");
     const auto si = std::make_shared<ob::SpaceInformation>(line);
-    requireRefused([&] { MotionValidator(si, f.window.scene); }, "'rail'");
+    testing::requireRefusedBy([&] { MotionValidator(si, f.window.scene); }, {"'rail'"});
     const auto car = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::DubinsStateSpace>());
-    requireRefused([&] { MotionValidator(car, f.window.scene); }, "displacement bound of its own");
+    testing::requireRefusedBy([&] { MotionValidator(car, f.window.scene); },
+                              {"displacement bound of its own"});
 
     const auto xOf = [](const ob::State* state) {
         return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
@@ -296,7 +280,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
                  {stateToPose(*f.space), none, "no finite displacement bound"}};
     for (const auto& wrong : cases) {
         const MotionValidator validator(f.si, SharedScene(f.window.scene, wrong.toPose, wrong.bound));
-        Log log;
+        testing::OmplLog log;
         std::pair<ob::State*, double> lastValid(nullptr, -1);
         BOOST_TEST(!validator.checkMotion(s1.get(), s2.get()));
         BOOST_TEST(!validator.checkMotion(s1.get(), s2.get(), lastValid));
@@ -315,8 +299,8 @@ BOOST_AUTO_TEST_CASE(nothing_is_thrown_by_a_motion_that_cannot_be_judged) {
 BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
     for (const double margin : {0.0, 2.0}) {
         const Fixture f(margin);
-        Mesh environment = testing::joined(
-            f.window.wallMesh, testing::transformed(f.window.wallMesh, {Matrix3::Identity(), {400, 0, 0}}));
+        Mesh environment =
+            testing::joined(f.window.wallMesh, testing::translated(f.window.wallMesh, {400, 0, 0}));
         const double radius = f.window.scene.part.radiusAboutOrigin();
         Reach reach{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)), radius, margin + 1};
         const auto scene = [&] {
@@ -342,8 +326,8 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         const MotionProfile from = validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get());
         BOOST_TEST((from.report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
         reach.cap = margin;
-        requireRefused([&] { MotionValidator(f.si, scene()); },
-                       "expected at least the margin and the least interval");
+        testing::requireRefusedBy([&] { MotionValidator(f.si, scene()); },
+                                  {"expected at least the margin and the least interval"});
     }
 }
 
@@ -414,22 +398,26 @@ BOOST_AUTO_TEST_CASE(a_long_way_far_from_everything_takes_few_queries) {
 BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
     const Fixture f;
     for (const double length : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        requireRefused([&] { MotionValidator(f.si, f.window.scene, withLeastInterval(length)); },
-                       "leastInterval is ");
+        testing::requireRefusedBy([&] { MotionValidator(f.si, f.window.scene, withLeastInterval(length)); },
+                                  {"leastInterval is "});
     }
     for (const double margin : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         Scene scene = f.window.scene;
         scene.obstacles[0].margin = margin;
-        requireRefused([&] { MotionValidator(f.si, scene); }, "margin is ");
+        testing::requireRefusedBy([&] { MotionValidator(f.si, scene); }, {"margin is "});
     }
     const DisplacementBound bound = displacementBound(*f.space, f.window.scene.part);
     const SharedScene shared(f.window.scene);
     const StateToPose pose = stateToPose(*f.space);
-    requireRefused([&] { SharedScene(shared, StateToPose(), bound); }, "stateToPose");
-    requireRefused([&] { SharedScene(shared, pose, DisplacementBound()); }, "displacement bound is empty");
-    requireRefused([&] { SharedScene(shared, pose, bound, StateMotion()); }, "state motion is empty");
-    requireRefused([&] { MotionValidator(f.si, SharedScene(shared, pose)); }, "displacement bound is empty");
-    requireRefused([&] { SharedScene(std::shared_ptr<const SceneClearance>()); }, "scene clearance is null");
+    testing::requireRefusedBy([&] { SharedScene(shared, StateToPose(), bound); }, {"stateToPose"});
+    testing::requireRefusedBy([&] { SharedScene(shared, pose, DisplacementBound()); },
+                              {"displacement bound is empty"});
+    testing::requireRefusedBy([&] { SharedScene(shared, pose, bound, StateMotion()); },
+                              {"state motion is empty"});
+    testing::requireRefusedBy([&] { MotionValidator(f.si, SharedScene(shared, pose)); },
+                              {"displacement bound is empty"});
+    testing::requireRefusedBy([&] { SharedScene(std::shared_ptr<const SceneClearance>()); },
+                              {"scene clearance is null"});
     BOOST_TEST(MotionValidator(f.si, f.window.scene).leastInterval() == 1e-5 * Vector3(60, 40, 10).norm(),
                boost::test_tools::tolerance(1e-12));
 }

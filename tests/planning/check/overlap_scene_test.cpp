@@ -17,15 +17,6 @@ using planning::MotionVerdict;
 
 constexpr double kOverlap = 0.5, kTolerance = 0.1;
 
-Mesh at(const Mesh& mesh, const Vector3& place) {
-    return transformed(mesh, {Matrix3::Identity(), place});
-}
-
-Mesh named(Mesh mesh, const std::string& name) {
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
-
 Scene overlapScene(const Mesh& part, const Mesh& obstacle) {
     const ShrunkPart shrunk = shrink(part, {kOverlap, kTolerance});
     Scene scene(Model::build(part), Model::build(obstacle));
@@ -35,7 +26,8 @@ Scene overlapScene(const Mesh& part, const Mesh& obstacle) {
 }
 
 BOOST_AUTO_TEST_CASE(a_part_may_sink_into_a_floor_as_deep_as_the_overlap) {
-    const Mesh part = named(box({2, 2, 2}), "part"), floor = named(at(box({20, 20, 5}), {0, 0, -5}), "floor");
+    const Mesh part = named(box({2, 2, 2}), "part"),
+               floor = named(translated(box({20, 20, 5}), {0, 0, -5}), "floor");
     const PartInSpace space(overlapScene(part, floor));
     for (const double sunk : {-3.0, 0.0, 0.3, 0.5}) BOOST_TEST(space.isValid({1, 2, 2 - sunk}));
     for (const double sunk : {0.61, 1.0, 3.0}) BOOST_TEST(!space.isValid({1, 2, 2 - sunk}));
@@ -112,7 +104,7 @@ BOOST_AUTO_TEST_CASE(poses_and_motions_agree_with_depths) {
 }
 
 BOOST_AUTO_TEST_CASE(a_margin_is_kept_from_the_shrunk_part) {
-    Scene scene = overlapScene(box({2, 2, 2}), at(box({20, 20, 5}), {0, 0, -5}));
+    Scene scene = overlapScene(box({2, 2, 2}), translated(box({20, 20, 5}), {0, 0, -5}));
     scene.obstacles[0].margin = 0.4;  // as of a planner that looks for room
     const PartInSpace space(scene);
     BOOST_TEST(space.isValid({0, 0, 1.95}));

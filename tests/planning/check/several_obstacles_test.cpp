@@ -17,10 +17,6 @@ namespace {
 
 constexpr double kMargins[] = {0, 2, 0.5, 6};
 
-Mesh at(const Mesh& mesh, const Vector3& place) {
-    return transformed(mesh, {Matrix3::Identity(), place});
-}
-
 struct Yard {
     Yard() {
         for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -30,8 +26,9 @@ struct Yard {
         }
     }
     Mesh part = bracket(10, 1, 2, 4);
-    std::vector<Mesh> meshes = {at(sphere(8, 8), {-20, 0, 0}), at(box({4, 20, 20}, 4), {20, 0, 0}),
-                                at(torus(12, 3, 12), {0, 0, -20}), at(tube(10, 12, 30, 12), {0, 25, 0})};
+    std::vector<Mesh> meshes = {
+        translated(sphere(8, 8), {-20, 0, 0}), translated(box({4, 20, 20}, 4), {20, 0, 0}),
+        translated(torus(12, 3, 12), {0, 0, -20}), translated(tube(10, 12, 30, 12), {0, 25, 0})};
     Scene scene{Model::build(part)};
 };
 

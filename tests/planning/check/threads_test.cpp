@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(threads_that_live_on_never_meet_the_scratch_of_a_scene_that
     Rounds rounds;
     for (int round = 0; round < 12; ++round) {
         const double shift = 2 * (round % 4);
-        const Mesh wall = testing::transformed(f.window.wallMesh, {Matrix3::Identity(), {shift, 0, 0}});
+        const Mesh wall = testing::translated(f.window.wallMesh, {shift, 0, 0});
         const Scene scene(f.window.scene.part, Model::build(wall));
         const auto asked = std::make_unique<Asked>(f.si, scene);
         const double clearance = 70 + shift - 30 - 2;

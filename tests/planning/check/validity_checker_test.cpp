@@ -4,7 +4,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
-#include <ompl/util/Console.h>
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
@@ -12,6 +11,7 @@
 #include <thread>
 
 #include "planning/space/ompl_states.h"
+#include "support/ompl_log.h"
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
@@ -51,17 +51,6 @@ struct Fixture {
     ob::StateSpacePtr space;
     ob::SpaceInformationPtr si;
     std::shared_ptr<ValidityChecker> checker;
-};
-
-/// While a Log lives, it catches OMPL's messages and keeps them off the terminal.
-class Log : public ompl::msg::OutputHandler {
-  public:
-    Log() { ompl::msg::useOutputHandler(this); }
-    ~Log() override { ompl::msg::restorePreviousOutputHandler(); }
-    void log(const std::string& text, ompl::msg::LogLevel, const char*, int) override {
-        lines.push_back(text);
-    }
-    std::vector<std::string> lines;
 };
 
 BOOST_AUTO_TEST_CASE(a_state_is_valid_exactly_when_in_bounds_and_farther_than_the_margin) {
@@ -137,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_state_outside_of_the_bounds_is_invalid_however_far_from_t
 
 BOOST_AUTO_TEST_CASE(a_state_without_a_pose_is_invalid_counted_and_logged_once) {
     const Fixture f;
-    Log log;
+    testing::OmplLog log;
     auto state = f.at({-60, 0, 0});
     auto* se3 = state->as<ob::SE3StateSpace::StateType>();
     se3->setX(std::numeric_limits<double>::quiet_NaN());
@@ -159,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_callback_that_throws_makes_a_state_invalid_and_is_not_pas
         throw std::runtime_error("no kinematics here");
     };
     const ValidityChecker checker(f.si, SharedScene(f.window.scene, fails));
-    Log log;
+    testing::OmplLog log;
     const auto state = f.at({-60, 0, 0});
     BOOST_TEST(!checker.isValid(state.get()));
     BOOST_TEST(checker.clearance(state.get()) == 0);

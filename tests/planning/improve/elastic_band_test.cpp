@@ -27,12 +27,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 using Fixture = testing::MotionWindow;
 
-og::PathGeometric pathOf(const Fixture& f, const std::vector<ob::ScopedState<>>& states) {
-    og::PathGeometric path(f.si);
-    for (const ob::ScopedState<>& state : states) path.append(state.get());
-    return path;
-}
-
 /// Through the window, up and down, by 0.01 from its border.
 og::PathGeometric grazing(const Fixture& f) {
     return pathOf(f, {f.at({-60, 0, 0}), f.at({-34, 0, 0}), f.at({-20, 0, 10.99}), f.at({-10, 0, -10.99}),
@@ -173,8 +167,7 @@ BOOST_AUTO_TEST_CASE(where_contact_is_ignored_the_other_obstacles_count) {
     Fixture f;
     Scene scene = f.window.scene;
     // A tray under the plate at its start, which counts again once the plate is 3 away.
-    const Mesh tray =
-        testing::transformed(testing::box({40, 30, 5}, 2), {Matrix3::Identity(), {-60, 0, -10}});
+    const Mesh tray = testing::translated(testing::box({40, 30, 5}, 2), {-60, 0, -10});
     scene.obstacles.push_back({Model::build(tray), 0});
     scene.obstacles.back().isIgnoredAtStart = true;
     const auto start = f.at({-60, 0, 0});

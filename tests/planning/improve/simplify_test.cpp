@@ -106,12 +106,6 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_never_falls_below_the_floor_or_what_it_
 
 using Fixture = testing::MotionWindow;
 
-og::PathGeometric pathOf(const Fixture& f, const std::vector<ob::ScopedState<>>& states) {
-    og::PathGeometric path(f.si);
-    for (const ob::ScopedState<>& state : states) path.append(state.get());
-    return path;
-}
-
 BOOST_AUTO_TEST_CASE(a_tight_start_does_not_let_the_rest_come_closer) {
     // The wall's face is at x = -2 and the plate reaches 30, so that at -32.01 it nearly touches.
     const Fixture f;

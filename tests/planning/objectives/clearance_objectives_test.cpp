@@ -19,6 +19,7 @@
 #include "support/ompl_log.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -32,12 +33,6 @@ using Fixture = testing::MotionWindow;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kDiagonal = Vector3(60, 40, 10).norm();
-
-void requireRefused(const std::function<void()>& call, const std::string& words) {
-    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::exception& error) {
-        return std::string(error.what()).find(words) != std::string::npos;
-    });
-}
 
 double cost(const ob::OptimizationObjective& objective, const ob::ScopedState<>& a,
             const ob::ScopedState<>& b) {
@@ -278,7 +273,7 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_callbacks) {
     const auto space = std::make_shared<ob::RealVectorStateSpace>(1);  // along x, lying flat
     space->setBounds(-100, 100);
     const auto si = std::make_shared<ob::SpaceInformation>(space);
-    requireRefused([&] { MinClearanceObjective(si, window.scene); }, "is neither ");
+    testing::requireRefusedBy([&] { MinClearanceObjective(si, window.scene); }, {"is neither "});
     const auto xOf = [](const ob::State* state) {
         return state->as<ob::RealVectorStateSpace::StateType>()->values[0];
     };
@@ -293,14 +288,14 @@ BOOST_AUTO_TEST_CASE(another_space_works_through_callbacks) {
     BOOST_TEST(cost(least, a, b) == 11, boost::test_tools::tolerance(0.011));
     // The objective wants less than 11.
     BOOST_TEST(cost(wanted, a, b) == 120, boost::test_tools::tolerance(0.1));
-    requireRefused([&] { ClearanceIntegralObjective(si, SharedScene(window.scene, pose)); },
-                   "displacement bound is empty");
+    testing::requireRefusedBy([&] { ClearanceIntegralObjective(si, SharedScene(window.scene, pose)); },
+                              {"displacement bound is empty"});
 }
 
 /// A plate rests on a tray that is ignored until the plate has moved by 4.
 BOOST_AUTO_TEST_CASE(obstacles_count_where_no_contact_zone_leaves_them_out) {
     const Mesh plate = testing::box({30, 20, 5}, 2);
-    const Mesh tray = testing::transformed(testing::box({40, 30, 5}, 2), {Matrix3::Identity(), {0, 0, -10}});
+    const Mesh tray = testing::translated(testing::box({40, 30, 5}, 2), {0, 0, -10});
     Scene scene(Model::build(plate), Model::build(tray));
     scene.obstacles[0].isIgnoredAtStart = true;
     scene.startContact = ContactZone{Pose{}, 4};
@@ -323,8 +318,8 @@ BOOST_AUTO_TEST_CASE(a_reach_bounds_the_clearance_told) {
     const Fixture f(2);
     const Reach reach{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)),
                       f.window.scene.part.radiusAboutOrigin(), 6};
-    const Mesh environment = testing::joined(
-        f.window.wallMesh, testing::transformed(f.window.wallMesh, {Matrix3::Identity(), {400, 0, 0}}));
+    const Mesh environment =
+        testing::joined(f.window.wallMesh, testing::translated(f.window.wallMesh, {400, 0, 0}));
     const Scene reduced{f.window.scene.part, Model::build(environment, {}, reach), 2};
     const MinClearanceObjective objective(f.si, reduced), whole(f.si, f.window.scene);
     BOOST_TEST(objective.cap() == 4);
@@ -335,7 +330,8 @@ BOOST_AUTO_TEST_CASE(a_reach_bounds_the_clearance_told) {
     Reach small = reach;
     small.cap = 2;
     const Scene tooSmall{f.window.scene.part, Model::build(environment, {}, small), 2};
-    requireRefused([&] { MinClearanceObjective(f.si, tooSmall); }, "a reach that ends 0 beyond its margin");
+    testing::requireRefusedBy([&] { MinClearanceObjective(f.si, tooSmall); },
+                              {"a reach that ends 0 beyond its margin"});
 }
 
 BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {
@@ -343,33 +339,39 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {
     for (const double wrong : {0.0, -1.0, std::nan(""), kInfinity}) {
         MinClearanceOptions least;
         least.cap = wrong;
-        requireRefused([&] { MinClearanceObjective(f.si, f.window.scene, least); }, "cap is ");
+        testing::requireRefusedBy([&] { MinClearanceObjective(f.si, f.window.scene, least); }, {"cap is "});
         ClearanceIntegralOptions integral;
         integral.reference = wrong;
-        requireRefused([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); }, "reference is ");
+        testing::requireRefusedBy([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); },
+                                  {"reference is "});
         integral = {};
         integral.floor = wrong;
-        requireRefused([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); }, "floor is ");
+        testing::requireRefusedBy([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); },
+                                  {"floor is "});
         integral = {};
         integral.resolution = wrong;
-        requireRefused([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); }, "resolution is ");
+        testing::requireRefusedBy([&] { ClearanceIntegralObjective(f.si, f.window.scene, integral); },
+                                  {"resolution is "});
         LengthWithClearanceOptions wanted;
         wanted.wanted = wrong;
-        requireRefused([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); },
-                       "wanted clearance is ");
+        testing::requireRefusedBy([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); },
+                                  {"wanted clearance is "});
     }
     for (const double wrong : {-1.0, std::nan(""), kInfinity}) {
         LengthWithClearanceOptions wanted;
         wanted.strictness = wrong;
-        requireRefused([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); }, "strictness is ");
+        testing::requireRefusedBy([&] { LengthWithClearanceObjective(f.si, f.window.scene, wanted); },
+                                  {"strictness is "});
         if (wrong == kInfinity) continue;
         Scene scene = f.window.scene;
         scene.obstacles[0].margin = wrong;
-        requireRefused([&] { MinClearanceObjective(f.si, scene); }, "margin is ");
+        testing::requireRefusedBy([&] { MinClearanceObjective(f.si, scene); }, {"margin is "});
     }
-    requireRefused([&] { MinClearanceObjective(nullptr, f.window.scene); }, "space information is null");
-    requireRefused([&] { sceneOf(nullptr); }, "space information is null");
-    requireRefused([&] { sceneOf(std::make_shared<ob::SpaceInformation>(f.space)); }, "there is no scene");
+    testing::requireRefusedBy([&] { MinClearanceObjective(nullptr, f.window.scene); },
+                              {"space information is null"});
+    testing::requireRefusedBy([&] { sceneOf(nullptr); }, {"space information is null"});
+    testing::requireRefusedBy([&] { sceneOf(std::make_shared<ob::SpaceInformation>(f.space)); },
+                              {"there is no scene"});
     BOOST_TEST(MinClearanceObjective(f.si, sceneOf(f.si)).scene().obstacles.size() == 1u);
 }
 

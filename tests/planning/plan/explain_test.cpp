@@ -5,6 +5,7 @@
 
 #include "clearway/obstacle_groups.h"
 #include "support/door_scene.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -137,12 +138,9 @@ BOOST_AUTO_TEST_CASE(one_obstacle_without_a_margin_is_nothing_to_choose_from) {
     const testing::DoorScene door = testing::doorScene();
     const Scene scene(Model::build(door.part),
                       Model::build(boxMesh({Vector3(4, -4, -4), Vector3(5, 4, 4)}, "door")));
-    BOOST_CHECK_EXCEPTION(requireExplainable(scene), std::invalid_argument, [](const std::exception& error) {
-        return std::string(error.what())
-                   .find(
-                       "has 1 obstacle and no margin, expected a margin above 0, or at least two obstacles "
-                       "with names") != std::string::npos;
-    });
+    testing::requireRefusedBy(
+        [&] { requireExplainable(scene); },
+        {"has 1 obstacle and no margin, expected a margin above 0, or at least two obstacles with names"});
     BOOST_CHECK_NO_THROW(requireExplainable(Scene(Model::build(door.part), Model::build(door.box))));
     BOOST_CHECK_THROW(explain(door.problem, {}, {withIterations(1), /*seconds*/ -1, loaderOf(door)}),
                       std::invalid_argument);

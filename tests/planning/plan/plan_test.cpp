@@ -17,6 +17,7 @@
 #include "support/processor_time.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -31,19 +32,6 @@ bool same(const std::vector<PartState>& a, const std::vector<PartState>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PartState& x, const PartState& y) {
         return x.position == y.position && x.rotation.coeffs() == y.rotation.coeffs();
     });
-}
-
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 PlanOptions withIterations(std::uint64_t iterations, std::uint32_t seed = 1) {
@@ -179,7 +167,7 @@ BOOST_AUTO_TEST_CASE(quick_contradicts_an_objective) {
     options.quick = true;
     options.objective = "max_min_clearance";
     const auto planIt = [&] { plan(window.problem, window.scene, options); };
-    BOOST_TEST(refusal(planIt) == "both quick and an objective are given, expected one of them");
+    BOOST_TEST(testing::refusalBy(planIt) == "both quick and an objective are given, expected one of them");
 }
 
 BOOST_AUTO_TEST_CASE(another_seed_gives_another_path) {
@@ -234,23 +222,24 @@ BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_the_meshes_and_triangl
     auto window = windowScene();
     window.problem.start.position.x() = 0;
     const auto planIt = [&] { plan(window.problem, window.scene, withIterations(10)); };
-    const std::string touching = refusal(planIt);
-    BOOST_TEST(contains(touching, "start is " + testing::beginningOf(WhyInvalid::Kind::kCollides)));
-    BOOST_TEST(contains(touching, "'plate'"));
-    BOOST_TEST((contains(touching, "'above'") || contains(touching, "'below'")));
+    const std::string touching = testing::refusalBy(planIt);
+    BOOST_TEST(testing::holds(touching, "start is " + testing::beginningOf(WhyInvalid::Kind::kCollides)));
+    BOOST_TEST(testing::holds(touching, "'plate'"));
+    BOOST_TEST((testing::holds(touching, "'above'") || testing::holds(touching, "'below'")));
 
     window = windowScene();
     window.problem.goal.position.x() = 36;  // the part is 4 from the wall
     window.scene.obstacles[0].margin = 5;
-    const std::string close = refusal(planIt);
-    BOOST_TEST(contains(close, "goal is " + testing::beginningOf(WhyInvalid::Kind::kTooClose)));
-    BOOST_TEST(contains(close, "'plate'"));
+    const std::string close = testing::refusalBy(planIt);
+    BOOST_TEST(testing::holds(close, "goal is " + testing::beginningOf(WhyInvalid::Kind::kTooClose)));
+    BOOST_TEST(testing::holds(close, "'plate'"));
 }
 
 BOOST_AUTO_TEST_CASE(bounds_that_leave_out_the_start_are_refused) {
     auto window = windowScene();
     window.problem.volume = Box(Vector3(-50, -40, -40), Vector3(80, 40, 40));
-    BOOST_TEST(contains(refusal([&] { plan(window.problem, window.scene, withIterations(10)); }), "start"));
+    BOOST_TEST(testing::holds(
+        testing::refusalBy([&] { plan(window.problem, window.scene, withIterations(10)); }), "start"));
 }
 
 BOOST_AUTO_TEST_CASE(a_start_that_all_but_touches_is_planned_from) {
@@ -270,7 +259,7 @@ BOOST_AUTO_TEST_CASE(a_start_too_close_to_be_certified_is_warned_of) {
     window.problem.start.position.x() = -32 - 1e-9;
     const PlanReport report = plan(window.problem, window.scene, withIterations(100));
     BOOST_REQUIRE(!report.warnings.empty());
-    BOOST_TEST(contains(report.warnings[0], "may be too close to be certified"));
+    BOOST_TEST(testing::holds(report.warnings[0], "may be too close to be certified"));
 }
 
 BOOST_AUTO_TEST_CASE(edges_are_20_times_the_fineness_long_or_a_quarter_of_the_parts_diagonal) {
@@ -289,26 +278,27 @@ BOOST_AUTO_TEST_CASE(wrong_planners_and_parameters_are_refused_on_demand_and_war
     PlanOptions options = withIterations(10);
     const auto planIt = [&] { plan(window.problem, window.scene, options); };
     options.planner = "RRTConect";
-    BOOST_TEST(contains(refusal(planIt), "unknown planner 'RRTConect'"));
+    BOOST_TEST(testing::holds(testing::refusalBy(planIt), "unknown planner 'RRTConect'"));
     options.planner = "RRTConnect";
     options.parameters = {{"rnage", "3"}};
-    BOOST_TEST(contains(refusal(planIt), "no parameter 'rnage'"));
+    BOOST_TEST(testing::holds(testing::refusalBy(planIt), "no parameter 'rnage'"));
     options.parameters = {{"range", "far"}};
-    BOOST_TEST(contains(refusal(planIt), "'far'"));
+    BOOST_TEST(testing::holds(testing::refusalBy(planIt), "'far'"));
 
     options.parameters.clear();
     window.problem.planning.planners = {
         {"rrtconnect", {{"name", "mine"}, {"max_failures", "3"}, {"range", "7"}}}};
-    BOOST_TEST(contains(refusal(planIt), "RRTConnect has no parameter 'max_failures', expected one of"));
+    BOOST_TEST(testing::holds(testing::refusalBy(planIt),
+                              "RRTConnect has no parameter 'max_failures', expected one of"));
     window.problem.meshes.isReadingStated = false;  // as OMPL.app's files, which know no [clearway]
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE(report.warnings.size() == 1u);
     BOOST_TEST(
-        contains(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
+        testing::holds(report.warnings[0], "window.cfg: planner RRTConnect has no parameter 'max_failures'"));
     window.problem.meshes.isReadingStated = true;
 
     window.problem.planning.planners = {{"nonesuch", {}}};
-    BOOST_TEST(contains(refusal(planIt), "window.cfg: unknown planner 'nonesuch'"));
+    BOOST_TEST(testing::holds(testing::refusalBy(planIt), "window.cfg: unknown planner 'nonesuch'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_problems_only_planner_is_used_unless_another_is_asked_for) {
@@ -335,7 +325,7 @@ BOOST_AUTO_TEST_CASE(planners_run_side_by_side_until_one_has_a_path) {
             testing::processorSecondsOf([&] { report = plan(window.problem, window.scene, options); });
         BOOST_TEST((report.planners == std::vector<std::string>{"PlannerTeam"}));
         BOOST_REQUIRE((report.outcome == Outcome::kFound));
-        BOOST_TEST(contains(report.foundBy, "RRTConnect"));
+        BOOST_TEST(testing::holds(report.foundBy, "RRTConnect"));
         BOOST_TEST(!report.isRepeatable);
         BOOST_TEST(seconds < 20);
         BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 1000) == 0);
@@ -400,10 +390,10 @@ BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
     const auto window = windowScene();
     PlanOptions options = withIterations(10);
     options.seconds = 1;
-    BOOST_TEST(
-        contains(refusal([&] { plan(window.problem, window.scene, options); }), "expected one of them"));
-    BOOST_TEST(
-        contains(refusal([&] { plan(window.problem, window.scene, withIterations(10, 0)); }), "seed is 0"));
+    BOOST_TEST(testing::holds(testing::refusalBy([&] { plan(window.problem, window.scene, options); }),
+                              "expected one of them"));
+    BOOST_TEST(testing::holds(
+        testing::refusalBy([&] { plan(window.problem, window.scene, withIterations(10, 0)); }), "seed is 0"));
 }
 
 /// The thread of plan() is held up after a path is found, and before one is.

@@ -15,6 +15,7 @@
 #include "planning/space/ompl_states.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -28,8 +29,7 @@ namespace ob = ompl::base;
 struct TwoWalls {
     explicit TwoWalls(double margin = 0) {
         problem.margin = margin;
-        environment = testing::joined(
-            window.wallMesh, testing::transformed(window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}}));
+        environment = testing::joined(window.wallMesh, testing::translated(window.wallMesh, {1000, 0, 0}));
     }
 
     Scene scene(const std::optional<Reach>& reach = std::nullopt) const {
@@ -68,12 +68,6 @@ void checkSame(const PlanReport& whole, const PlanReport& reduced) {
     BOOST_TEST(reduced.audit.lowerClearance <= whole.audit.upperClearance);
     BOOST_TEST(whole.audit.segments[whole.audit.closest].environmentMesh ==
                reduced.audit.segments[reduced.audit.closest].environmentMesh);
-}
-
-void requireRefused(const std::function<void()>& call, const std::string& words) {
-    BOOST_CHECK_EXCEPTION(call(), std::invalid_argument, [&](const std::exception& error) {
-        return std::string(error.what()).find(words) != std::string::npos;
-    });
 }
 
 BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_out_of_reach) {
@@ -141,7 +135,7 @@ BOOST_AUTO_TEST_CASE(bounds_that_are_the_environments_box_leave_nothing_out) {
 
 BOOST_AUTO_TEST_CASE(a_path_that_meets_nothing_tells_the_cap_and_no_meshes) {
     TwoWalls walls;
-    walls.environment = testing::transformed(walls.window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}});
+    walls.environment = testing::translated(walls.window.wallMesh, {1000, 0, 0});
     const PlanReport report = plan(walls.problem, walls.scene(walls.reach()), withIterations(200000));
     BOOST_REQUIRE((report.outcome == PlanReport::Outcome::kFound));
     BOOST_TEST(report.audit.lowerClearance <= walls.reach()->cap);
@@ -161,13 +155,14 @@ BOOST_AUTO_TEST_CASE(an_environment_of_too_small_a_reach_is_refused) {
     BOOST_CHECK_NO_THROW(planWith(right));
     Reach wrong = right;
     wrong.positions.max().y() = 39;
-    requireRefused([&] { planWith(wrong); }, "leaves out positions within the bounds");
+    testing::requireRefusedBy([&] { planWith(wrong); }, {"leaves out positions within the bounds"});
     wrong = right;
     wrong.cap = 2.5;  // the margin is 2, the fineness 1
-    requireRefused([&] { planWith(wrong); }, "cap is 2.5, expected at least the margin and the fineness, 3");
+    testing::requireRefusedBy([&] { planWith(wrong); },
+                              {"cap is 2.5, expected at least the margin and the fineness, 3"});
     wrong = right;
     wrong.partRadius = 30;
-    requireRefused([&] { planWith(wrong); }, "the part's radius about its origin");
+    testing::requireRefusedBy([&] { planWith(wrong); }, {"the part's radius about its origin"});
 }
 
 struct CheckerFixture {
@@ -203,7 +198,8 @@ BOOST_AUTO_TEST_CASE(a_checker_tells_clearance_up_to_the_cap_and_its_sign_always
     BOOST_TEST(checker.clearance(f.at({-60, 0, 0}).get()) == std::numeric_limits<double>::denorm_min());
     BOOST_TEST(!checker.isValid(f.at({-36, 0, 0}).get()));
     reach.cap = 4.9;
-    requireRefused([&] { ValidityChecker(f.si, f.walls.scene(reach)); }, "d is 5, expected at most 4.9");
+    testing::requireRefusedBy([&] { ValidityChecker(f.si, f.walls.scene(reach)); },
+                              {"d is 5, expected at most 4.9"});
 }
 
 BOOST_AUTO_TEST_CASE(a_state_out_of_bounds_and_reach_is_out_of_bounds_and_not_without_a_pose) {

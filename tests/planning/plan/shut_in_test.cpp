@@ -19,7 +19,7 @@ struct Case {
         const std::size_t perSide = shell.triangles.size() / 6;
         shell.triangles.resize(perSide * static_cast<std::size_t>(sides));
         shell.components = {{"case", 0, static_cast<std::uint32_t>(shell.triangles.size())}};
-        Mesh other = testing::transformed(testing::box({1, 1, 1}), {Matrix3::Identity(), {0, 0, 30}});
+        Mesh other = testing::translated(testing::box({1, 1, 1}), {0, 0, 30});
         other.components = {{"other", 0, static_cast<std::uint32_t>(other.triangles.size())}};
         scene.obstacles.push_back({Model::build(shell)});
         scene.obstacles.push_back({Model::build(other)});

@@ -13,6 +13,7 @@
 #include "clearway/types.h"
 #include "planning/space/ompl_states.h"
 #include "support/motion_window.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -31,19 +32,6 @@ ob::SpaceInformationPtr spaceInformation() {
 }
 
 /// The text of the std::invalid_argument that the call throws, or "nothing".
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "nothing";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 BOOST_AUTO_TEST_CASE(the_promised_planners_are_known_in_any_case) {
     for (const std::string name : {"RRTConnect", "RRT", "KPIECE1", "BKPIECE1", "LBKPIECE1", "EST", "STRIDE",
                                    "PRM", "RRTstar", "PRMstar", "BITstar"}) {
@@ -65,9 +53,9 @@ BOOST_AUTO_TEST_CASE(every_row_makes_a_planner) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_planner_is_refused_with_the_known_ones) {
-    const std::string message = refusal([] { plannerClassName("RTRConnect"); });
-    BOOST_TEST(contains(message, "'RTRConnect'"));
-    for (const std::string& name : plannerNames()) BOOST_TEST(contains(message, name));
+    const std::string message = testing::refusalBy([] { plannerClassName("RTRConnect"); });
+    BOOST_TEST(testing::holds(message, "'RTRConnect'"));
+    for (const std::string& name : plannerNames()) BOOST_TEST(testing::holds(message, name));
 }
 
 BOOST_AUTO_TEST_CASE(planners_with_threads_or_a_clock_are_declared_unrepeatable) {
@@ -90,24 +78,26 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_set_and_a_wrong_one_refused) {
     BOOST_TEST(std::stod(value) == 12.5);
 
     BOOST_TEST(!hasParameter(*planner, "rnage"));
-    const std::string unknown = refusal([&] { setParameter(*planner, "rnage", "1"); });
-    BOOST_TEST(contains(unknown, "'rnage'"));
-    BOOST_TEST(contains(unknown, "goal_bias, intermediate_states, range"));
+    const std::string unknown = testing::refusalBy([&] { setParameter(*planner, "rnage", "1"); });
+    BOOST_TEST(testing::holds(unknown, "'rnage'"));
+    BOOST_TEST(testing::holds(unknown, "goal_bias, intermediate_states, range"));
 
     for (const char* wrong : {"", "wide", "1x", "nan", "inf", "1e999", "-1"}) {
-        const std::string message = refusal([&] { setParameter(*planner, "range", wrong); });
-        BOOST_TEST(contains(message, "range of planner RRT is '" + std::string(wrong) + "'"));
+        const std::string message = testing::refusalBy([&] { setParameter(*planner, "range", wrong); });
+        BOOST_TEST(testing::holds(message, "range of planner RRT is '" + std::string(wrong) + "'"));
     }
     BOOST_TEST(
-        contains(refusal([&] { setParameter(*planner, "intermediate_states", "yes"); }), "expected 0 or 1"));
+        testing::holds(testing::refusalBy([&] { setParameter(*planner, "intermediate_states", "yes"); }),
+                       "expected 0 or 1"));
     BOOST_TEST(planner->params().getParam("range", value));
     BOOST_TEST(std::stod(value) == 12.5);
 
     const auto prm = makePlanner(spaceInformation(), "PRM");
-    BOOST_TEST(
-        contains(refusal([&] { setParameter(*prm, "max_nearest_neighbors", "2.5"); }), "whole number"));
-    BOOST_TEST(contains(refusal([&] { setParameter(*prm, "max_nearest_neighbors", "99999999999999999999"); }),
-                        "99999"));
+    BOOST_TEST(testing::holds(testing::refusalBy([&] { setParameter(*prm, "max_nearest_neighbors", "2.5"); }),
+                              "whole number"));
+    BOOST_TEST(testing::holds(
+        testing::refusalBy([&] { setParameter(*prm, "max_nearest_neighbors", "99999999999999999999"); }),
+        "99999"));
 }
 
 BOOST_AUTO_TEST_CASE(rising_floor_ends_at_once_without_a_valid_start) {

@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(a_team_of_several_threads_finds_a_path_and_names_its_finder
 template <class Tree>
 void checkTakesAddedStart() {
     WindowScene window = windowScene();
-    const Mesh shell = transformed(box({70, 50, 50}, 1), {Matrix3::Identity(), {-300, 0, 0}});
+    const Mesh shell = translated(box({70, 50, 50}, 1), {-300, 0, 0});
     window.scene.obstacles.push_back({Model::build(shell)});
     PartState shutIn = window.problem.start;
     shutIn.position.x() = -300;

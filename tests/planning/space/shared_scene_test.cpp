@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "clearway/planning/clearance_objectives.h"
-#include "clearway/planning/plan_setup.h"
 #include "clearway/planning/problem_setup.h"
+#include "planning/plan/plan_setup.h"
 #include "support/motion_window.h"
 #include "support/random_meshes.h"
 

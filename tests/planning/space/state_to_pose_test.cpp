@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "support/random_meshes.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -94,9 +95,7 @@ BOOST_AUTO_TEST_CASE(derived_and_wrapped_spaces_are_recognised) {
 BOOST_AUTO_TEST_CASE(another_space_is_refused_by_its_name) {
     const auto space = std::make_shared<ob::RealVectorStateSpace>(6);
     space->setName("gantry");
-    BOOST_CHECK_EXCEPTION(stateToPose(*space), std::invalid_argument, [](const std::exception& error) {
-        return std::string(error.what()).find("'gantry'") != std::string::npos;
-    });
+    testing::requireRefusedBy([&] { stateToPose(*space); }, {"'gantry'"});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "planning/plan/problem_settings.h"
 #include "planning/space/ompl_states.h"
 #include "support/motion_window.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -155,10 +156,8 @@ BOOST_AUTO_TEST_CASE(a_problem_names_them_as_it_names_those_of_ompl) {
         setSampler(*f.si, name, [](ob::ValidStateSampler&) {});
         BOOST_TEST(f.si->allocValidStateSampler()->getName() == name);
     }
-    BOOST_CHECK_EXCEPTION(setSampler(*f.si, "narrow", [](ob::ValidStateSampler&) {}), std::invalid_argument,
-                          [](const std::invalid_argument& error) {
-                              return std::string(error.what()).find("narrow_gap") != std::string::npos;
-                          });
+    testing::requireRefusedBy([&] { setSampler(*f.si, "narrow", [](ob::ValidStateSampler&) {}); },
+                              {"narrow_gap"});
 }
 
 }  // namespace

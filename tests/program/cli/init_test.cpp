@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(init_test)
 namespace {
 
 Mesh named(Mesh mesh, const std::string& name, const Vector3& place) {
-    mesh = transformed(mesh, {Matrix3::Identity(), place});
+    mesh = translated(mesh, place);
     mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
     return mesh;
 }

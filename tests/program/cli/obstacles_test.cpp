@@ -12,8 +12,8 @@ namespace {
 /// The plate rests on a block before the wall with the window. The goal is a block behind the wall.
 struct AssemblyFolder : WindowProblemFolder {
     AssemblyFolder() {
-        Mesh blocks = joined(transformed(box({20, 20, 5}), {Matrix3::Identity(), {-60, 0, -10}}),
-                             transformed(box({20, 20, 5}), {Matrix3::Identity(), {60, 0, -10}}));
+        Mesh blocks =
+            joined(translated(box({20, 20, 5}), {-60, 0, -10}), translated(box({20, 20, 5}), {60, 0, -10}));
         blocks.components = {{"tray", 0, 12}, {"shelf", 12, 12}};
         saveMesh(blocks, file("blocks.obj"));
         problem.start.rotation = problem.goal.rotation = Eigen::Quaterniond::Identity();
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_cure_of_a_start_in_contact_names_all_that_is_touched) {
     AssemblyFolder folder;
     folder.problem.rules.goalContact.reset();
     folder.problem.goal = folder.problem.start;
-    const Mesh flag = transformed(box({1, 1, 30}), {Matrix3::Identity(), folder.problem.start.position});
+    const Mesh flag = translated(box({1, 1, 30}), folder.problem.start.position);
     saveMesh(flag, folder.file("flag.obj"));
     folder.problem.meshes.furtherWorlds.push_back(folder.file("flag.obj"));
     folder.write();
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_named_by_its_place_in_its_own_file) {
 
 BOOST_AUTO_TEST_CASE(a_part_inside_a_solid_is_told_so) {
     AssemblyFolder folder;
-    saveMesh(transformed(box({60, 60, 60}), {Matrix3::Identity(), {-60, 0, 0}}), folder.file("block.obj"));
+    saveMesh(translated(box({60, 60, 60}), {-60, 0, 0}), folder.file("block.obj"));
     folder.problem.meshes.world = folder.file("block.obj");
     folder.problem.meshes.furtherWorlds.clear();
     folder.problem.rules = {};

@@ -10,17 +10,11 @@ BOOST_AUTO_TEST_SUITE(overlap_program_test)
 
 namespace {
 
-Mesh named(Mesh mesh, const std::string& name) {
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
-
 /// A block that sits 0.3 deep in a floor.
 struct SunkFolder : TemporaryFolder {
     SunkFolder() {
         saveMesh(named(box({2, 2, 2}), "block"), file("block.obj"));
-        saveMesh(named(transformed(box({6, 6, 1}), {Matrix3::Identity(), {0, 0, -1}}), "floor"),
-                 file("floor.obj"));
+        saveMesh(named(translated(box({6, 6, 1}), {0, 0, -1}), "floor"), file("floor.obj"));
         saveMesh(named(box({2, 2, 0.1}), "plate"), file("plate.obj"));
     }
     std::string problem(const std::string& keys, const std::string& part = "block.obj",
@@ -98,7 +92,7 @@ BOOST_AUTO_TEST_CASE(shrinking_heeds_an_interrupt) {
 
 BOOST_AUTO_TEST_CASE(what_an_overlap_would_leave_out_is_refused_unless_allowed) {
     const SunkFolder folder;
-    Mesh two = joined(box({2, 2, 2}), transformed(box({0.1, 0.1, 0.1}), {Matrix3::Identity(), {4, 0, 0}}));
+    Mesh two = joined(box({2, 2, 2}), translated(box({0.1, 0.1, 0.1}), {4, 0, 0}));
     two.components = {{"block", 0, 12}, {"crumb", 12, 12}};
     saveMesh(two, folder.file("two.obj"));
     const auto refused = [&](const std::string& keys, const std::string& part,

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(what_no_position_within_the_bounds_can_come_near_is_left_ou
     const std::string verdictsAlone = "--planner RRTConnect --quick";
     BOOST_TEST(runIn(folder, added(verdictsAlone)).code == 0);
     const std::string path = readText(folder.file("out.path"));
-    const Mesh far = transformed(folder.window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}});
+    const Mesh far = translated(folder.window.wallMesh, {1000, 0, 0});
     saveMesh(joined(folder.window.wallMesh, far), folder.file("wall.obj"));
     for (int run = 0; run < 2; ++run) {  // the second one reads the cache
         const Outcome outcome = runIn(folder, added(verdictsAlone + " --cache trees"));
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(a_planner_that_does_not_end_is_ended_with_the_program) {
 
 BOOST_AUTO_TEST_CASE(a_proof_that_there_is_no_path_is_told_at_once) {
     const WindowProblemFolder folder;
-    Mesh shell = transformed(box({45, 40, 45}, 1), {Matrix3::Identity(), {-60, 0, 0}});
+    Mesh shell = translated(box({45, 40, 45}, 1), {-60, 0, 0});
     shell.components = {{"shell", 0, static_cast<std::uint32_t>(shell.triangles.size())}};
     saveMesh(shell, folder.file("wall.obj"));
     const std::string plan = "plan window.cfg --path out.path --nearest miss.path";

@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(reading_test)
 namespace {
 
 Mesh body(const Vector3& half, const Vector3& place) {
-    Mesh mesh = transformed(box(half), {Matrix3::Identity(), place});
+    Mesh mesh = translated(box(half), place);
     mesh.components = {{"Body", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
     return mesh;
 }

@@ -6,6 +6,7 @@
 #include "program/render/legend.h"
 #include "program/render/outlines.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -338,11 +339,7 @@ BOOST_AUTO_TEST_CASE(the_picture_does_not_depend_on_where_the_scene_lies) {
 
 BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
     Shot shot;
-    const auto refuses = [&](const std::string& word) {
-        BOOST_CHECK_EXCEPTION(shot.taken(), std::invalid_argument, [&](const std::exception& error) {
-            return std::string(error.what()).find(word) != std::string::npos;
-        });
-    };
+    const auto refuses = [&](const std::string& word) { requireRefusedBy([&] { shot.taken(); }, {word}); };
     refuses("no pose");
     shot.poses = {{shot.upright(-60), 0}};
     shot.options.view = "askew";

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(what_is_certified_of_a_stretch_is_never_more_than_the_clear
 
 BOOST_AUTO_TEST_CASE(a_pose_out_of_the_environments_reach_is_a_frame_of_which_nothing_is_known) {
     const Way way;
-    const Mesh far = transformed(way.window.wallMesh, {Matrix3::Identity(), {1000, 0, 0}});
+    const Mesh far = translated(way.window.wallMesh, {1000, 0, 0});
     const Box positions(Vector3(-70, -80, -80), Vector3(20, 80, 80));
     const Model near = Model::build(joined(way.window.wallMesh, far), {}, Reach{positions, 50, 30});
     const Scene scene(way.window.scene.part, near);
