@@ -1,15 +1,15 @@
 # Finds the libraries. cmake/packages.txt lists the Debian packages that hold them.
 
 # need(TARGET WHAT FOUND PACKAGE CURE): says by name which target cannot be had, and what to do.
-function(need target what found package cure)
+function(need target what found package remedy)
   if(NOT ${found})
-    message(FATAL_ERROR "${target} needs ${what}, which was not found. Debian's package is ${package}; ${cure}")
+    message(FATAL_ERROR "${target} needs ${what}, which was not found. Debian's package is ${package}; ${remedy}")
   endif()
 endfunction()
 # need_package(TARGET WHAT NAME VERSION PACKAGE CURE [OPTION...]): finds a package that CMake knows as NAME.
-macro(need_package target what name version package cure)
+macro(need_package target what name version package remedy)
   find_package(${name} ${version} QUIET ${ARGN})
-  need(${target} "${what} ${version} or later" ${name}_FOUND ${package} "${cure}")
+  need(${target} "${what} ${version} or later" ${name}_FOUND ${package} "${remedy}")
 endmacro()
 set(elsewhere "CMAKE_PREFIX_PATH names other places to look in")
 if(POLICY CMP0167)

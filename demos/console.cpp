@@ -19,7 +19,7 @@ void printPath(const char* title, const cp::PlanReport& report) {
     const cp::SegmentAudit& tight = audit.segments[audit.closest];
     std::printf("%s\n  after %.2f s, by %s: %zu motions, length %.0f, turned %.0f degrees\n", title,
                 report.planningSeconds, report.foundBy.c_str(), audit.segments.size(), report.length,
-                report.turned * 180 / M_PI);
+                report.rotation * 180 / M_PI);
     std::printf("  clearance %.2f, certified", audit.lowerClearance);
     if (!tight.environmentMesh.empty())
         std::printf("; the tightest place is between '%s' and '%s', in motion %zu", tight.partMesh.c_str(),

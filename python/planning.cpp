@@ -48,7 +48,7 @@ const char* nameOf(PlanReport::Outcome outcome) {
 }
 
 /// Loading, and then those of PlanPhase.
-constexpr const char* kPhases[] = {"loading", "planning", "making room", "finishing", "asking why"};
+constexpr const char* kPhases[] = {"loading", "planning", "widening", "finishing", "asking why"};
 
 /// The scene that was given, or else the problem's, loaded now.
 struct ChosenScene {
@@ -64,12 +64,13 @@ struct ChosenScene {
         if (scene) return *scene;
         requireMeshFiles(problem);
         SceneLoading loading;
-        loading.reach = [&](const Model& part, const Box& environmentBox) {
-            return planning::planningReach(problem, options, part, environmentBox);
+        loading.range = [&](const Model& part, const Box& environmentBox) {
+            return planning::planningRange(problem, options, part, environmentBox);
         };
-        loading.build = [&](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
+        loading.build = [&](const Mesh& mesh, const BuildOptions& build,
+                            const std::optional<QueryRange>& range) {
             if (isStopped()) throw Stopped();
-            return Model::build(mesh, build, reach);
+            return Model::build(mesh, build, range);
         };
         loading.shrink = [&](const Mesh& part, ShrinkOptions shrinking) {
             shrinking.isStopped = isStopped;
@@ -114,7 +115,7 @@ py::dict dictOf(const PathAudit& audit) {
     result["lower_clearance"] = audit.lowerClearance;
     result["upper_clearance"] = audit.upperClearance;
     result["length"] = audit.length;
-    result["turned"] = audit.turned;
+    result["rotation"] = audit.rotation;
     result["closest"] = dictOf(audit, audit.closest);
     result["faults"] = faults;
     return result;
@@ -169,7 +170,7 @@ py::dict dictOf(const PlanReport& report) {
     result["states"] = arrayOf(report.path);
     result["path"] = posesOf(report.path);
     result["length"] = report.length;
-    result["turned"] = report.turned;
+    result["rotation"] = report.rotation;
     for (const char* key : {"audit", "why_no_path", "shut_in"}) result[key] = py::none();
     if (!report.path.empty()) result["audit"] = dictOf(report.audit);
     if (report.whyNoPath) result["why_no_path"] = dictOf(*report.whyNoPath);
@@ -314,13 +315,13 @@ py::tuple check(const py::object& given, const py::object& path, const PyScene* 
     const bool isFile = py::isinstance<py::str>(path) || py::hasattr(path, "__fspath__");
     const std::vector<PartState> states =
         isFile ? readPath(fileName(path), problem.space) : statesOf(path, problem.space);
-    for (const PartState& state : states) problem.knownWay.extend(state.position);
+    for (const PartState& state : states) problem.knownPath.extend(state.position);
     ChosenScene chosen(scene);
     std::optional<planning::PathCheck> found;
     const auto work = [&](const auto& isStopped) {
         try {
             const Scene& loaded = chosen.load(problem, planning::PlanOptions(), isStopped);
-            const planning::OmplMessages unheard;  // the audit says what cannot be judged
+            const planning::OmplMessages unobserved;  // the audit says what cannot be judged
             const planning::AuditOptions options{hasProfile, isStopped};
             found = planning::checkPath(problem, loaded, states, options);
         } catch (const planning::AuditStopped&) {

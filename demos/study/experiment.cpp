@@ -141,8 +141,8 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const StudyOpt
     const Model part = options.build(study.part, engine.build(), std::nullopt);
     planning::PlanOptions reaching;
     reaching.objective = "max_min_clearance";
-    const auto reach =
-        planning::planningReach(study.problem, reaching, part, study.obstacles.environmentBox());
+    const auto range =
+        planning::planningRange(study.problem, reaching, part, study.obstacles.environmentBox());
     std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
     for (const ShrunkPart& each : study.shrunk) {
         shrunk.push_back(shrunkModel(each, options.build(each.mesh, engine.build(), std::nullopt)));
@@ -150,7 +150,7 @@ Scene buildScene(const StudyProblem& study, const Engine& engine, const StudyOpt
     return makeScene(
         part, study.partSolids, study.obstacles, study.problem.rules, poseOf(study.problem.start),
         poseOf(study.problem.goal),
-        [&](const Mesh& mesh) { return options.build(mesh, engine.build(), reach); }, shrunk);
+        [&](const Mesh& mesh) { return options.build(mesh, engine.build(), range); }, shrunk);
 }
 
 TimeLeft::TimeLeft(std::size_t pieces, double mostEach)

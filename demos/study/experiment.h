@@ -41,7 +41,8 @@ struct StudyOptions {
     bool isShort = false;
     int tablePoses = 1000;
     /// Builds each model. A cache calls buildCached here.
-    std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
+    std::function<Model(const Mesh& mesh, const BuildOptions& options,
+                        const std::optional<QueryRange>& range)>
         build = Model::build;
 
     std::function<bool()> isStopped;
@@ -100,7 +101,7 @@ struct StudyProblem {
     std::string fingerprint() const;
 };
 
-/// Builds the scene. The environment's reach suffices for planning, also with a clearance objective.
+/// Builds the scene. The environment's range suffices for planning, also with a clearance objective.
 Scene buildScene(const StudyProblem& problem, const Engine& engine, const StudyOptions& options);
 
 /// Estimates how long the remaining pieces of work take, when all pieces take equally long.

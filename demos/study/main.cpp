@@ -109,8 +109,9 @@ bool readArguments(const Arguments& arguments, StudyArguments& given) {
     if (!planners.empty()) options.planners = planners;
     if (!generalSplits.empty()) options.generalSplits = generalSplits;
     if (!leafSplits.empty()) options.leafSplits = leafSplits;
-    options.build = [trees](const Mesh& mesh, const BuildOptions& build, const std::optional<Reach>& reach) {
-        return trees.build(mesh, build, reach);
+    options.build = [trees](const Mesh& mesh, const BuildOptions& build,
+                            const std::optional<QueryRange>& range) {
+        return trees.build(mesh, build, range);
     };
     options.isStopped = isInterrupted;
     options.tell = [](const std::string& text) { std::cerr << "clearway: " << oneLine(text) << std::endl; };

@@ -158,7 +158,7 @@ std::optional<StudyRun> runPlanned(const StudyProblem& problem, const Scene& sce
     sampling.seed = static_cast<std::uint64_t>(planned.seed);
     std::optional<Recorder> recorder;
     limits.watch = recordingInto(recorder, sampling);
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     StudyRun result;
     const auto run =
         runOnce(problemFor(problem.problem, planned.planner), scene, plan, limits, result.warnings);

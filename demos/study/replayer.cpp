@@ -20,7 +20,7 @@ namespace ob = ompl::base;
 using planning::PlanSetup;
 
 PlanSetup setupFor(const Problem& problem, const Scene& scene) {
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     planning::PlanOptions options;
     options.planner = "RRTConnect";
     options.objective = "max_min_clearance";

@@ -72,7 +72,7 @@ struct BuildReport {
     CleanReport clean;                     ///< about the mesh as given
     TreeStatistics tree;                   ///< about the tree that queries use
     std::size_t triangles = 0;             ///< in the tree, without duplicates and unreachable ones
-    std::size_t unreachableTriangles = 0;  ///< left out because no pose within the reach comes near them
+    std::size_t unreachableTriangles = 0;  ///< left out because no pose within the range comes near them
     double seconds = 0;                    ///< cleaning, fitting, splitting and flattening
 };
 

@@ -21,9 +21,9 @@ namespace clearway {
 struct ModelAccess;
 
 /// The poses X_environmentPart of future queries, with any rotation, and the largest distance from the part
-/// that matters. Lengths in environment units. An environment built for a reach leaves out its triangles
+/// that matters. Lengths in environment units. An environment built for a range leaves out its triangles
 /// beyond it.
-struct Reach {
+struct QueryRange {
     /// The poses' translations, that is, the places of the origin of the part's mesh coordinates, in the
     /// environment's frame. The border belongs to the box.
     Box positions;
@@ -37,13 +37,13 @@ class Model {
   public:
     /// Cleans the mesh and builds its tree. Throws ArgumentError when a vertex of a triangle is not
     /// finite (naming the first such triangle), an index is out of range, the components do not cover the
-    /// triangles, the mesh has no triangle, an option is unknown, or the reach is not a finite box with two
+    /// triangles, the mesh has no triangle, an option is unknown, or the range is not a finite box with two
     /// lengths of at least 0.
     ///
-    /// A reach is for environments: triangles that no pose within the reach can bring within its cap are left
-    /// out and counted in the report. If all would be left out, one stays. See reach().
+    /// A range is for environments: triangles that no pose within the range can bring within its cap are left
+    /// out and counted in the report. If all would be left out, one stays. See range().
     static Model build(const Mesh& mesh, const BuildOptions& options = {},
-                       const std::optional<Reach>& reach = std::nullopt);
+                       const std::optional<QueryRange>& range = std::nullopt);
 
     /// Reads a file written by save. Throws FileError, naming the file and its fault, when the file
     /// cannot be read, is not a saved model, is damaged, or was saved by another version or with another byte
@@ -76,15 +76,15 @@ class Model {
     /// known to be above the cap. Takes a few microseconds.
     double displacement(const Pose& from, const Pose& to, std::optional<double> cap = std::nullopt) const;
 
-    /// The reach of the model, present only if triangles were left out. Such a model can only be queried as
-    /// the environment, with a part and at poses within the reach. Up to the cap its answers are those of the
+    /// The range of the model, present only if triangles were left out. Such a model can only be queried as
+    /// the environment, with a part and at poses within the range. Up to the cap its answers are those of the
     /// whole mesh. Other queries are refused.
-    const std::optional<Reach>& reach() const;
+    const std::optional<QueryRange>& range() const;
 
     /// A number unique to each model of the process that was built or loaded; equal for copies.
     std::uint64_t id() const;
 
-    /// modelKey of the mesh, options and reach that the model was built from, also for a loaded model.
+    /// modelKey of the mesh, options and range that the model was built from, also for a loaded model.
     std::uint64_t key() const;
 
   private:
@@ -96,13 +96,13 @@ class Model {
 };
 
 /// A hash of everything that determines a model: the mesh with its names, the options that shape the tree,
-/// the reach, and the version of the build. Not cryptographic.
+/// the range, and the version of the build. Not cryptographic.
 std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
-                       const std::optional<Reach>& reach = std::nullopt);
+                       const std::optional<QueryRange>& range = std::nullopt);
 
 /// The result of buildCached.
 struct CachedModel {
-    Model model;            ///< answers as a model built from the mesh, options and reach
+    Model model;            ///< answers as a model built from the mesh, options and range
     bool isLoaded = false;  ///< false: built
     std::string warning;    ///< why a file could not be used or written; empty otherwise
     bool isKept = true;     ///< whether the folder holds the model for the next time
@@ -112,7 +112,7 @@ struct CachedModel {
 /// folder if it does not exist, and replaces a damaged file. Throws what build throws; a folder that cannot be
 /// read or written is a warning.
 CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder,
-                        const std::optional<Reach>& reach = std::nullopt);
+                        const std::optional<QueryRange>& range = std::nullopt);
 
 }  // namespace clearway
 

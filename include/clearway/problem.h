@@ -124,7 +124,7 @@ struct Problem {
     PartState goal;                  ///< has no meaning when the goal is `outside`
     std::optional<Outside> outside;  ///< the goal is any pose outside of the environment's box, not `goal`
     std::optional<Box> volume;       ///< bounds of the part's position; without them see boundsOf()
-    Box knownWay;         ///< positions of a known path, which derived bounds hold too; no key of the file
+    Box knownPath;        ///< positions of a known path, which derived bounds hold too; no key of the file
     double margin = 0;    ///< of obstacles that no rule names, environment units
     ObstacleRules rules;  ///< margins, solids, contacts and overlaps by the obstacles' names
     std::optional<double>
@@ -203,12 +203,13 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
 /// The steps of loadScene that a caller may replace.
 struct SceneLoading {
     MeshReader read = loadMesh;  ///< reads each mesh file
-    /// Builds the part's model (without a reach) and each obstacle's. A cache calls buildCached here.
-    std::function<Model(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach)>
+    /// Builds the part's model (without a range) and each obstacle's. A cache calls buildCached here.
+    std::function<Model(const Mesh& mesh, const BuildOptions& options,
+                        const std::optional<QueryRange>& range)>
         build = Model::build;
     /// Returns how much of the environment the obstacles' models need to hold; null: all of it. environmentBox holds
     /// the whole environment, ignored obstacles included.
-    std::function<std::optional<Reach>(const Model& part, const Box& environmentBox)> reach = nullptr;
+    std::function<std::optional<QueryRange>(const Model& part, const Box& environmentBox)> range = nullptr;
     /// Shrinks the part by each overlap of the rules. A caller may keep results, or show progress.
     std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
@@ -233,7 +234,7 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
 
 /// Bounds of the part's position, in the environment's frame: problem.volume, or else OMPL.app's rule: the
-/// environment's box grown to hold start and goal, and problem.knownWay. For a goal outside, the box is extended on
+/// environment's box grown to hold start and goal, and problem.knownPath. For a goal outside, the box is extended on
 /// each of the goal's sides until the part fits there in any rotation. In SE(2) z is 0 to 0. partBox: the part's box
 /// in its own coordinates, needed for a goal outside. Throws ArgumentError when the bounds leave out the
 /// start or the goal, leave the part no place outside in any rotation, or have no extent along an axis, and when the

@@ -94,7 +94,7 @@ struct DistanceOptions {
     /// Distances above the cap do not matter; without a cap all do. If the distance is proved larger, then lower >= cap, upper and
     /// distance are infinite, and there is no witness. An interval that contains the cap is
     /// answered as if there were no cap; isWithin(cap) decides such a case. Must be >= 0. An environment with
-    /// a reach lowers the cap to its own.
+    /// a range lowers the cap to its own.
     std::optional<double> cap;
 };
 
@@ -130,8 +130,8 @@ struct DistanceResult {
 ///  - the two models have different node widths,
 ///  - the models' sizes, or the distance between the models and a size, differ by a factor of more than 2^60,
 ///  - the largest coordinate of both models and the pose is 1e298 or more, or above 0 and below 1e-298,
-///  - the part has a reach, or the environment has a reach that does not contain the pose's translation or
-///    the part's radius (see Model::reach).
+///  - the part has a range, or the environment has a range that does not contain the pose's translation or
+///    the part's radius (see Model::range).
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,
                         const DistanceOptions& options, Workspace& workspace);
 
@@ -143,7 +143,7 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 
 /// Whether the distance is <= d, exactly, decided in the same steps as collides(). d: environment units, >=
 /// 0. Throws ArgumentError under the same conditions as distance(), and if d is larger than the cap
-/// of the environment's reach.
+/// of the environment's range.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 

@@ -89,7 +89,7 @@ struct Scene {
     Scene(Model thePart, Model environment, double margin = 0)
         : part(std::move(thePart)), obstacles{{std::move(environment), margin}} {}
 
-    Model part;                                ///< the moving part; built without a reach
+    Model part;                                ///< the moving part; built without a range
     std::vector<Obstacle> obstacles;           ///< reports name an obstacle by its position here
     std::shared_ptr<const Solids> partSolids;  ///< needed when an obstacle has solids
     std::optional<ContactZone> startContact;   ///< needed when an obstacle is ignored at the start
@@ -114,7 +114,7 @@ struct Scene {
         return largest;
     }
 
-    /// The box of all obstacles, including triangles beyond their reach.
+    /// The box of all obstacles, including triangles beyond their range.
     Box environmentBox() const {
         Box box = ignoredBox;
         for (const Obstacle& obstacle : obstacles) box.extend(obstacle.model.box());

@@ -49,9 +49,9 @@ struct ZoneClearance {
     /// Distance - margin; none where it was not asked for. The lower bound is at most 0 where a solid holds the other body.
     std::optional<Bounds> clearance;
     /// How far any vertex of the part may move while the obstacles stay ignored. Below 0 they count.
-    Bounds spare{-1, -1};
+    Bounds slack{-1, -1};
     /// Whether the obstacles of the zone are ignored at the pose.
-    bool isIgnored() const { return spare.lower >= 0; }
+    bool isIgnored() const { return slack.lower >= 0; }
 };
 
 /// Clearances at a pose: distance - margin, the least over some obstacles, in environment units. An upper bound is
@@ -89,7 +89,7 @@ struct WhyInvalid {
         kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
         kTooClose,     ///< the part and an obstacle are no farther apart than the margin
         kNoPose,       ///< a state has no pose: an entry is not finite, or its rotation is none
-        kOutOfReach,   ///< the environment was built with a reach that does not hold the pose
+        kOutOfRange,   ///< the environment was built with a range that does not hold the pose
         kUnusable,     ///< not to be judged for another reason, such as a callback that threw
         kUndecided  ///< a motion comes closer to a margin than can be told, and no invalid pose of it is known
     };
@@ -120,7 +120,7 @@ struct WhyInvalid {
     }
     /// Whether a pose or a motion could not be judged.
     bool isUnusable() const {
-        return kind == Kind::kNoPose || kind == Kind::kOutOfReach || kind == Kind::kUnusable;
+        return kind == Kind::kNoPose || kind == Kind::kOutOfRange || kind == Kind::kUnusable;
     }
     /// The whole reason as words after "is": "in collision: ...". Empty when nothing is wrong.
     std::string words() const;
@@ -140,7 +140,7 @@ struct ClearanceOptions {
     /// one of them.
     bool isOutside = false;
     /// Ignored obstacles are queried all the same where the part may move less than this before they count.
-    double leastSpare = 0;
+    double leastSlack = 0;
 };
 
 /// The answer of SceneClearance::stayOutsideSolids. Times are those of the motion, from 0 to 1.
@@ -221,7 +221,7 @@ class SceneClearance {
     /// How many of Clearances::zones are used; 0 to kMostZones.
     std::size_t zoneCount() const { return zoneCount_; }
 
-    /// The largest clearance that queries can find: the least of the environment models' reach caps less their
+    /// The largest clearance that queries can find: the least of the environment models' range caps less their
     /// margins, else infinity.
     double mostClearance() const;
 
@@ -280,14 +280,14 @@ class SceneClearance {
         const bool wasCold_;
     };
 
-    /// Why a pose is not valid, whatever the bounds. A pose that queries refuse is kNoPose or kOutOfReach.
+    /// Why a pose is not valid, whatever the bounds. A pose that queries refuse is kNoPose or kOutOfRange.
     WhyInvalid whyInvalid(const Pose& X_environmentPart) const;
 
     /// Likewise for a pose whose clearance at() found. Throws what queries throw.
     WhyInvalid whyInvalid(const Pose& X_environmentPart, const PoseClearance& found) const;
 
-    /// True when an obstacle was built with a reach that does not hold the pose, so that queries would throw.
-    bool isOutOfReach(const Pose& X_environmentPart) const;
+    /// True when an obstacle was built with a range that does not hold the pose, so that queries would throw.
+    bool isOutOfRange(const Pose& X_environmentPart) const;
 
   private:
     class FreePoses;

@@ -15,12 +15,12 @@
 
 namespace clearway {
 
-/// A straight translation with a rotation at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [turn])
+/// A straight translation with a rotation at a constant rate: at time t from 0 to 1 the pose is x -> R exp(t [rotation])
 /// x + p + t translation, where (R, p) is the start.
 struct RigidMotion {
     Pose start;           ///< X_environmentPart at time 0
     Vector3 translation;  ///< of the origin of the part's coordinates; environment's frame
-    Vector3 turn;         ///< an axis fixed in the part, times the angle in radians; part's frame
+    Vector3 rotation;     ///< an axis fixed in the part, times the angle in radians; part's frame
 };
 
 /// The motion from one pose to another, straight and with the shorter rotation. Between orientations that are 180
@@ -35,10 +35,10 @@ struct MotionPiece {
 
     /// Bound on the deviation from the linearised motion, in which all points move at their velocities in the middle.
     /// At a share x of the half interval from the middle, points are off by at most x (deviation +
-    /// deviationAcrossTurn). The second length acts only perpendicularly to the angular velocity (the sagitta of a
+    /// deviationAcrossRotation). The second length acts only perpendicularly to the angular velocity (the sagitta of a
     /// circle). Environment units.
     double deviation = 0;
-    double deviationAcrossTurn = 0;  ///< the second of these lengths; environment units
+    double deviationAcrossRotation = 0;  ///< the second of these lengths; environment units
 
     /// Where in the interval contact counts. A motion may ignore an environment for a while.
     enum class Counts {
@@ -117,7 +117,7 @@ struct SweepResult {
 };
 
 /// Certifies a motion of the part: a pair of volumes is certified for as long as their gap exceeds their approach
-/// speed times the time. An environment that was built for a reach must hold all poses of the motion within it; only
+/// speed times the time. An environment that was built for a range must hold all poses of the motion within it; only
 /// the poses at `from`, at `until` and in the middles of pieces are checked. Throws ArgumentError as
 /// distance() does at these poses, and when an option is out of its range or a piece of the motion is not finite.
 SweepResult sweep(const Model& part, const Model& environment, const MotionPieces& motion,

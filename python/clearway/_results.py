@@ -20,7 +20,7 @@ class Progress:
     seconds: float
     """Since the call of plan()."""
     phase: str
-    """"loading", "planning", "making room" (there is a path, which gets more clearance), "finishing" (it is shortened and audited)
+    """"loading", "planning", "widening" (there is a path, which gets more clearance), "finishing" (it is shortened and audited)
     or "asking why" (there is no path)."""
 
 
@@ -61,7 +61,7 @@ class Fault:
     why: str
     """Words after "is", with meshes and triangles: "in collision: ..."."""
     kind: str
-    """"out of bounds", "collides", "too deep", "inside a solid", "too close", "no pose", "out of reach", "unusable" (a state or
+    """"out of bounds", "collides", "too deep", "inside a solid", "too close", "no pose", "out of range", "unusable" (a state or
     motion that cannot be judged for another reason) or "undecided"."""
     part_mesh: str
     """Name of the part's component that is the reason, or ""."""
@@ -81,7 +81,7 @@ class Audit:
     """Some pose of the path has at most this clearance."""
     length: float
     """Way of the origin of the part's coordinates."""
-    turned: float
+    rotation: float
     """Radians, summed over the path."""
     closest: Closest
     """Where the path comes closest."""
@@ -241,7 +241,7 @@ class PlanResult:
     """"SE3" or "SE2"."""
     length: float
     """Way of the origin of the part's coordinates."""
-    turned: float
+    rotation: float
     """Radians, summed over the path."""
     audit: Optional[Audit]
     """The proved verdict about the path, which is valid; None without one."""
@@ -266,7 +266,7 @@ class PlanResult:
     planning_seconds: float
     """Until there was a path, or until the planner ended."""
     finishing_seconds: float
-    """For making room, shortening and auditing, or for finding out why there is no path."""
+    """For widening, shortening and auditing, or for finding out why there is no path."""
     checks: int
     """Number of states that were asked about."""
     warnings: Tuple[str, ...]
@@ -319,7 +319,7 @@ class PlanningInterrupted(KeyboardInterrupt):
 
 def audit_of(found: Dict[str, Any]) -> Audit:
     """From the extension's dict."""
-    fields = ("verdict", "lower_clearance", "upper_clearance", "length", "turned")
+    fields = ("verdict", "lower_clearance", "upper_clearance", "length", "rotation")
     return Audit(closest=Closest(**found["closest"]), faults=tuple(Fault(*each) for each in found["faults"]),
                  **{name: found[name] for name in fields})
 

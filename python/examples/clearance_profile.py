@@ -1,4 +1,4 @@
-"""Draws how much room a path has: its certified clearance, and that of its states alone, along the way.
+"""Draws the certified clearance along a path, and that of its states alone.
 
 In cells, for editors and Jupyter that run `# %%` files; or as a script: clearance_profile.py [PROBLEM.cfg [PATH.path [PICTURE]]]
 Needs matplotlib."""

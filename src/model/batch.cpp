@@ -5,7 +5,7 @@
 
 #include "clearway/model.h"
 #include "core/parallel.h"
-#include "model/reach.h"
+#include "model/query_range.h"
 
 namespace clearway {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 void requirePoses(const Model& part, const Model& environment, const std::vector<Pose>& poses) {
     for (const Pose& X_environmentPart : poses) {
         requirePose(X_environmentPart);
-        requireWithinReach(part, environment, X_environmentPart);
+        requireWithinRange(part, environment, X_environmentPart);
     }
 }
 

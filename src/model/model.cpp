@@ -12,7 +12,7 @@
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "model/model_data.h"
-#include "model/reach.h"
+#include "model/query_range.h"
 #include "tree/largest_displacement.h"
 
 namespace clearway {
@@ -24,20 +24,20 @@ std::uint64_t Model::newId() {
     return next++;
 }
 
-Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach) {
+Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::optional<QueryRange>& range) {
     const Clock::time_point start = Clock::now();
     requireBuildOptions(options);
-    if (reach) requireReach(*reach);
+    if (range) requireRange(*range);
     CleanMesh cleaned = clean(mesh);
 
     auto data = std::make_shared<Data>();
     data->id = newId();
-    data->key = modelKey(mesh, options, reach);
-    if (reach) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *reach);
-    if (data->report.unreachableTriangles > 0) data->reach = reach;
+    data->key = modelKey(mesh, options, range);
+    if (range) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *range);
+    if (data->report.unreachableTriangles > 0) data->range = range;
     data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
     // The decision of contact depends on the whole mesh's coordinates and must not change.
-    if (data->reach) data->tree.box = boundingBox(mesh);
+    if (data->range) data->tree.box = boundingBox(mesh);
     data->components = componentsOf(mesh);
     data->origin = mesh.origin;
     data->report.options = options;
@@ -60,8 +60,8 @@ const std::vector<Component>& Model::components() const {
 const MeshOrigin& Model::origin() const {
     return data_->origin;
 }
-const std::optional<Reach>& Model::reach() const {
-    return data_->reach;
+const std::optional<QueryRange>& Model::range() const {
+    return data_->range;
 }
 double Model::radiusAboutOrigin() const {
     return data_->tree.radiusAboutMeshOrigin;

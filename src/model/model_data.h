@@ -8,12 +8,12 @@ namespace clearway {
 
 struct Model::Data {
     std::uint64_t id;
-    std::uint64_t key;  ///< modelKey of the mesh, options and reach
+    std::uint64_t key;  ///< modelKey of the mesh, options and range
     FlatTree tree;
     BuildReport report;
     std::vector<Component> components;
     MeshOrigin origin;
-    std::optional<Reach> reach;  ///< set only when triangles were left out
+    std::optional<QueryRange> range;  ///< set only when triangles were left out
 };
 
 struct ModelAccess {

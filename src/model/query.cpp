@@ -11,7 +11,7 @@
 #include "core/number.h"
 #include "model/arguments.h"
 #include "model/model_data.h"
-#include "model/reach.h"
+#include "model/query_range.h"
 #include "query/queries.h"
 
 namespace clearway {
@@ -25,7 +25,7 @@ void requireBound(const char* name, double length) {
 PairQuery beginQuery(const Model& part, const Model& environment, const Pose& X_environmentPart,
                      Workspace::State& state) {
     requireSameWidth(part, environment);
-    requireWithinReach(part, environment, X_environmentPart);
+    requireWithinRange(part, environment, X_environmentPart);
     state.counters = {};
     state.witnesses.serve(part.id(), environment.id());
     return preparePairQuery(treeOf(part), treeOf(environment), X_environmentPart);
@@ -85,7 +85,7 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const double wanted = options.cap.value_or(kInfinity);
     requireBound("cap", wanted);
-    const double cap = cappedByReach(environment, wanted);
+    const double cap = cappedByRange(environment, wanted);
     Workspace::State& state = stateOf(workspace);
     const WorkspaceUse use(state);
     const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
@@ -98,8 +98,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
     result.counters = state.counters;
     if (!answer.found) {
         // Triangles that were left out may be nearer than the tree's own bound, but not nearer than the
-        // reach's cap.
-        result.lower = cappedByReach(
+        // range's cap.
+        result.lower = cappedByRange(
             environment, std::max(cap, scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit)));
         result.upper = result.distance = kInfinity;
         return result;

@@ -17,7 +17,7 @@
 #include "core/replace_file.h"
 #include "mesh/components.h"
 #include "model/model_data.h"
-#include "model/reach.h"
+#include "model/query_range.h"
 
 namespace clearway {
 namespace {
@@ -71,23 +71,23 @@ BuildOptions readOptions(ArchiveReader& in) {
     return options;
 }
 
-void addReach(ArchiveWriter& out, const std::optional<Reach>& reach) {
-    out.add(std::uint64_t(reach.has_value()));
-    if (!reach) return;
-    addVector(out, reach->positions.min());
-    addVector(out, reach->positions.max());
-    out.add(reach->partRadius);
-    out.add(reach->cap);
+void addRange(ArchiveWriter& out, const std::optional<QueryRange>& range) {
+    out.add(std::uint64_t(range.has_value()));
+    if (!range) return;
+    addVector(out, range->positions.min());
+    addVector(out, range->positions.max());
+    out.add(range->partRadius);
+    out.add(range->cap);
 }
 
-std::optional<Reach> readReach(ArchiveReader& in) {
+std::optional<QueryRange> readRange(ArchiveReader& in) {
     if (in.read<std::uint64_t>() == 0) return std::nullopt;
-    Reach reach;
+    QueryRange range;
     const Vector3 low = readVector(in), high = readVector(in);
-    reach.positions = Box(low, high);
-    reach.partRadius = in.read<double>();
-    reach.cap = in.read<double>();
-    return reach;
+    range.positions = Box(low, high);
+    range.partRadius = in.read<double>();
+    range.cap = in.read<double>();
+    return range;
 }
 
 void addTree(ArchiveWriter& out, const FlatTree& tree) {
@@ -214,11 +214,12 @@ std::string readWhole(const std::string& file) {
 
 }  // namespace
 
-std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options, const std::optional<Reach>& reach) {
+std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
+                       const std::optional<QueryRange>& range) {
     ArchiveWriter out;
     out.add(kVersion);
     addOptions(out, options);
-    addReach(out, reach);
+    addRange(out, range);
     out.addArray(mesh.vertices);
     out.addArray(mesh.triangles);
     for (const Component& component : mesh.components) {
@@ -232,7 +233,7 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options, const std:
 void Model::save(const std::string& file) const {
     ArchiveWriter payload;
     addOptions(payload, data_->report.options);
-    addReach(payload, data_->reach);
+    addRange(payload, data_->range);
     addTree(payload, data_->tree);
     addRest(payload, data_->report, data_->components, data_->origin);
     ArchiveWriter header;
@@ -263,7 +264,7 @@ Model Model::load(const std::string& file) {
         if (size != payload.size() || hash != hashOf(data->key, payload)) throw FileError("is damaged");
 
         data->report.options = readOptions(in);
-        data->reach = readReach(in);
+        data->range = readRange(in);
         data->tree = readTree(in);
         readRest(in, data->report, data->components, data->origin);
         const std::int64_t triangles = trianglesOf(data->components);
@@ -285,10 +286,10 @@ Model Model::load(const std::string& file) {
 }
 
 CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std::string& folder,
-                        const std::optional<Reach>& reach) {
+                        const std::optional<QueryRange>& range) {
     requireBuildOptions(options);
-    if (reach) requireReach(*reach);
-    const std::uint64_t key = modelKey(mesh, options, reach);
+    if (range) requireRange(*range);
+    const std::uint64_t key = modelKey(mesh, options, range);
     const std::filesystem::path file = std::filesystem::path(folder) / fmt::format("{:x}.clearway", key);
     std::string warning;
     std::error_code unreadable;  // such a file is not loaded; saving then says what is wrong
@@ -301,12 +302,12 @@ CachedModel buildCached(const Mesh& mesh, const BuildOptions& options, const std
                 return {model, true, ""};
             }
             warning = file.string() +
-                      ": was built from another mesh, other options or another reach; it is built again";
+                      ": was built from another mesh, other options or another range; it is built again";
         } catch (const std::runtime_error& error) {
             warning = std::string(error.what()) + "; it is built again";
         }
     }
-    const Model model = Model::build(mesh, options, reach);
+    const Model model = Model::build(mesh, options, range);
     try {
         makeFolder(folder);
         model.save(file.string());

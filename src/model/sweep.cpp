@@ -10,7 +10,7 @@
 #include "core/number.h"
 #include "model/arguments.h"
 #include "model/model_data.h"
-#include "model/reach.h"
+#include "model/query_range.h"
 #include "query/sweep.h"
 
 namespace clearway {
@@ -21,8 +21,8 @@ RigidMotion motionBetween(const Pose& from, const Pose& to) {
 }
 
 MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
-    const double angle = motion.turn.norm();
-    const Vector3 axis = angle > 0 ? Vector3(motion.turn / angle) : Vector3::UnitZ();
+    const double angle = motion.rotation.norm();
+    const Vector3 axis = angle > 0 ? Vector3(motion.rotation / angle) : Vector3::UnitZ();
     const double radius = part.radiusAboutAxis(axis);
     return [=](double from, double to) {
         const double middle = from + 0.5 * (to - from), half = 0.5 * (to - from);
@@ -31,8 +31,8 @@ MotionPieces piecesOf(const RigidMotion& motion, const Model& part) {
         piece.middle = {motion.start.rotation * turned,
                         motion.start.translation + middle * motion.translation};
         piece.velocity = motion.translation;
-        piece.angularVelocity = motion.start.rotation * motion.turn;
-        piece.deviationAcrossTurn = 0.5 * half * half * angle * angle * radius;
+        piece.angularVelocity = motion.start.rotation * motion.rotation;
+        piece.deviationAcrossRotation = 0.5 * half * half * angle * angle * radius;
         return piece;
     };
 }
@@ -67,16 +67,16 @@ SweepRequest beginSweep(const Model& part, const Model& environment, const Motio
 
 SweepAnswer answerTo(const SweepRequest& request, const Model& part, const Model& environment,
                      const MotionPieces& motion, Workspace::State& state) {
-    if (!part.reach() && !environment.reach()) {
+    if (!part.range() && !environment.range()) {
         return sweepTrees(treeOf(part), treeOf(environment), motion, request, state);
     }
-    const MotionPieces withinReach = [&](double from, double to) {
+    const MotionPieces withinRange = [&](double from, double to) {
         MotionPiece piece = motion(from, to);
-        if (!piece.isForbidden) requireWithinReach(part, environment, piece.middle);
+        if (!piece.isForbidden) requireWithinRange(part, environment, piece.middle);
         return piece;
     };
-    for (const double end : {request.from, request.until}) withinReach(end, end);
-    return sweepTrees(treeOf(part), treeOf(environment), withinReach, request, state);
+    for (const double end : {request.from, request.until}) withinRange(end, end);
+    return sweepTrees(treeOf(part), treeOf(environment), withinRange, request, state);
 }
 
 }  // namespace
@@ -166,8 +166,8 @@ LeastDistance leastDistance(const Model& part, const Model& environment, const M
     requireInRange(cap, "cap", cap >= -options.margin, "a number of at least minus the margin");
     request.goal = SweepGoal::kLeastDistance;
     request.resolution = resolution;
-    const double reach = cappedByReach(environment, std::numeric_limits<double>::infinity());
-    request.cap = std::min(cap, reach - options.margin - options.poseError);
+    const double range = cappedByRange(environment, std::numeric_limits<double>::infinity());
+    request.cap = std::min(cap, range - options.margin - options.poseError);
     request.known = nearAtEnds(part, environment, motion, options.margin, request.cap, workspace);
     const SweepAnswer answer = answerTo(request, part, environment, motion, state);
 

@@ -64,8 +64,8 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     const std::vector<Mesh> worlds = loadWorlds(problem, loading.read);
     const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
     const Model part = loading.build(partMesh, options, std::nullopt);
-    std::optional<Reach> reach;
-    if (loading.reach) reach = loading.reach(part, obstacles.environmentBox());
+    std::optional<QueryRange> range;
+    if (loading.range) range = loading.range(part, obstacles.environmentBox());
     std::vector<std::string> notes = partMesh.origin.warnings;
     for (const Mesh& world : worlds) {
         for (const std::string& warning : world.origin.warnings) notes.push_back(warning);
@@ -89,7 +89,7 @@ LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const
     }
     Scene scene = makeScene(
         part, partSolids, obstacles, problem.rules, poseOf(problem.start), poseOf(problem.goal),
-        [&](const Mesh& mesh) { return loading.build(mesh, options, reach); }, shrunk);
+        [&](const Mesh& mesh) { return loading.build(mesh, options, range); }, shrunk);
     scene.unit = problem.unit;
     return {std::move(scene), notes};
 }

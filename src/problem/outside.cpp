@@ -52,13 +52,13 @@ Vector3 flattestDirection(const Box& box, int dimensions) {
     for (int axis = 0; axis < dimensions; ++axis) {
         for (const double sign : {1.0, -1.0}) {
             const Vector3 direction = sign * Vector3::Unit(axis);
-            if (reachAlong(direction, box) < reachAlong(flattest, box)) flattest = direction;
+            if (supportAlong(direction, box) < supportAlong(flattest, box)) flattest = direction;
         }
     }
     return flattest;
 }
 
-double reachAlong(const Vector3& direction, const Box& box) {
+double supportAlong(const Vector3& direction, const Box& box) {
     return direction.cwiseProduct(box.min()).cwiseMax(direction.cwiseProduct(box.max())).sum();
 }
 

@@ -29,7 +29,7 @@ Vector3 flattestDirection(const Box& box, int dimensions);
 
 /// The support of a box: the largest dot product of a unit direction with a point of the box, relative to the origin
 /// of its coordinates; negative when the whole box lies behind the origin.
-double reachAlong(const Vector3& direction, const Box& box);
+double supportAlong(const Vector3& direction, const Box& box);
 
 /// Throws ArgumentError, naming the problem's file, when the goal is outside but has contacts, which lie around a
 /// pose.

@@ -98,9 +98,9 @@ void growForPart(Box& bounds, const Problem& problem, const Box& environmentBox,
     }
 }
 
-void requireRoomOutside(const Problem& problem, const Box& bounds, const Box& environmentBox,
-                        const Box& partBox) {
-    const double least = reachAlong(flattestDirection(partBox, dimensionsOf(problem)), partBox);
+void requirePlaceOutside(const Problem& problem, const Box& bounds, const Box& environmentBox,
+                         const Box& partBox) {
+    const double least = supportAlong(flattestDirection(partBox, dimensionsOf(problem)), partBox);
     std::string expected;
     for (const BoxSide& side : sidesOf(*problem.outside)) {
         if (overlapAt(side, partBox, environmentBox) == -std::numeric_limits<double>::infinity()) return;
@@ -203,7 +203,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
         bounds = *problem.volume;
     } else {
         bounds = environmentBox;
-        bounds.extend(problem.knownWay);
+        bounds.extend(problem.knownPath);
         bounds.extend(problem.start.position);
         if (problem.outside) {
             growForPart(bounds, problem, environmentBox, partBox);
@@ -216,7 +216,7 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
     requireNear(problem, environmentBox, partBox);
     requireInside(problem, bounds, "start", problem.start);
     if (problem.outside) {
-        requireRoomOutside(problem, bounds, environmentBox, partBox);
+        requirePlaceOutside(problem, bounds, environmentBox, partBox);
     } else {
         requireInside(problem, bounds, "goal", problem.goal);
     }

@@ -61,8 +61,8 @@ void PieceCache::begin(const FlatTree& part, const FlatTree& environment, const 
 void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
     const MotionPiece given = (*motion_)(interval.from(), interval.to());
     if (!given.velocity.allFinite() || !given.angularVelocity.allFinite() || !(given.deviation >= 0) ||
-        !std::isfinite(given.deviation) || !(given.deviationAcrossTurn >= 0) ||
-        !std::isfinite(given.deviationAcrossTurn)) {
+        !std::isfinite(given.deviation) || !(given.deviationAcrossRotation >= 0) ||
+        !std::isfinite(given.deviationAcrossRotation)) {
         throw ArgumentError(
             "a piece of a motion is not finite, expected finite velocities and deviations >= 0");
     }
@@ -95,9 +95,10 @@ void PieceCache::prepare(TimeInterval interval, PreparedPiece& piece) const {
         kFieldRoundoffsInDouble * kUnitRoundoffDouble *
             (piece.velocity.norm() + turned * query.largestCoordinate / perMeshUnit);
     // A bow that is long for its turn counts in all directions: float could lose products with the turn.
-    const bool isUsable = given.deviationAcrossTurn <= kLongestBow * turned * turned * reach && turned > 0;
-    const double bow = isUsable ? given.deviationAcrossTurn / turned : 0;
-    const double deviation = given.deviation + rounding + (isUsable ? 0 : given.deviationAcrossTurn);
+    const bool isUsable =
+        given.deviationAcrossRotation <= kLongestBow * turned * turned * reach && turned > 0;
+    const double bow = isUsable ? given.deviationAcrossRotation / turned : 0;
+    const double deviation = given.deviation + rounding + (isUsable ? 0 : given.deviationAcrossRotation);
     piece.inEnvironment =
         fieldIn(perMeshUnit / query.environmentLeafToQuery, inEnvironment, piece.turn, deviation, bow);
     piece.inPart = fieldIn(perMeshUnit / query.partLeafToQuery, inPart, turnInPart, deviation, bow);
@@ -149,18 +150,18 @@ class MovingPair {
         below -= highB;
         if (below > above) std::swap(up, down);
         const double rounding = kGapRoundoffs * kUnitRoundoffDouble * piece_.query.largestCoordinate;
-        const double room = std::max(std::max(above, below) - rounding, known) - needed;
-        if (!(room > 0)) return;
+        const double clearance = std::max(std::max(above, below) - rounding, known) - needed;
+        if (!(clearance > 0)) return;
         const double bowed = n.cross(piece_.turn).norm() * double(piece_.bow) + double(piece_.deviation);
-        shares.after = std::max(shares.after, share(room, up + bowed));
-        shares.before = std::max(shares.before, share(room, down + bowed));
+        shares.after = std::max(shares.after, share(clearance, up + bowed));
+        shares.before = std::max(shares.before, share(clearance, down + bowed));
     }
 
   private:
     static constexpr double kMost = std::numeric_limits<double>::max();
-    static float share(double room, double closing) {
+    static float share(double clearance, double closing) {
         constexpr double kLargest = 4;  // more than a whole half piece
-        return closing * kLargest < room ? float(kLargest) : float(room / closing) * (1 - 0x1p-22f);
+        return closing * kLargest < clearance ? float(kLargest) : float(clearance / closing) * (1 - 0x1p-22f);
     }
 
     const PreparedPiece& piece_;

@@ -14,8 +14,8 @@ namespace {
 /// Model::displacement may be too large by its excess (a share of the zone's distance) and its rounding (a
 /// share of all lengths). Both constants leave room, because the part moves to a pose where ignored obstacles
 /// have to stay ignored.
-constexpr double kSpareExcess = 3e-6;
-constexpr double kSpareRounding = 1e-13;
+constexpr double kSlackExcess = 3e-6;
+constexpr double kSlackRounding = 1e-13;
 
 void requireContact(const char* name, const std::optional<ContactZone>& contact) {
     if (!contact) return;
@@ -25,14 +25,14 @@ void requireContact(const char* name, const std::optional<ContactZone>& contact)
                         ", expected a finite length above 0");
 }
 
-Bounds spareOf(const Model& part, const std::optional<ContactZone>& contact, const Pose& X) {
+Bounds slackOf(const Model& part, const std::optional<ContactZone>& contact, const Pose& X) {
     if (!contact || !X.rotation.allFinite() || !X.translation.allFinite()) return {-1, -1};
     const double moved = part.displacement(contact->X_environmentPart, X, contact->distance);
-    const double spare = contact->distance - moved;
-    if (!(spare >= 0)) return {-1, -1};
+    const double slack = contact->distance - moved;
+    if (!(slack >= 0)) return {-1, -1};
     const double doubt =
-        kSpareExcess * contact->distance + kSpareRounding * (part.radiusAboutOrigin() + contact->distance);
-    return {std::max(0.0, spare - doubt), spare + doubt};
+        kSlackExcess * contact->distance + kSlackRounding * (part.radiusAboutOrigin() + contact->distance);
+    return {std::max(0.0, slack - doubt), slack + doubt};
 }
 
 }  // namespace
@@ -59,18 +59,18 @@ void ContactZones::add(const Scene& scene, const Obstacle& obstacle) {
     if (found == zones_.end()) zones_.push_back(wanted);
 }
 
-void ContactZones::findSpares(const Scene& scene, const Pose& X_environmentPart,
+void ContactZones::findSlacks(const Scene& scene, const Pose& X_environmentPart,
                               PoseClearance& answer) const {
     if (zones_.empty()) return;
-    const Bounds atStart = spareOf(scene.part, scene.startContact, X_environmentPart),
-                 atGoal = spareOf(scene.part, scene.goalContact, X_environmentPart);
+    const Bounds atStart = slackOf(scene.part, scene.startContact, X_environmentPart),
+                 atGoal = slackOf(scene.part, scene.goalContact, X_environmentPart);
     answer.isInStartContact = atStart.lower >= 0;
     answer.isInGoalContact = atGoal.lower >= 0;
     for (std::size_t i = 0; i < zones_.size(); ++i) {
         const Bounds start = zones_[i].atStart ? atStart : Bounds{-1, -1},
                      goal = zones_[i].atGoal ? atGoal : Bounds{-1, -1};
         answer.zones[i].clearance.reset();
-        answer.zones[i].spare = {std::max(start.lower, goal.lower), std::max(start.upper, goal.upper)};
+        answer.zones[i].slack = {std::max(start.lower, goal.lower), std::max(start.upper, goal.upper)};
     }
 }
 
@@ -80,8 +80,8 @@ bool ContactZones::countsAround(const Scene& scene, std::size_t obstacle, const 
     const Zone& zone = zones_[static_cast<std::size_t>(zoneOf_[obstacle])];
     const auto isOutside = [&](bool isWanted, const std::optional<ContactZone>& contact) {
         if (!isWanted || !contact) return true;
-        const double limit = (contact->distance + moved) * (1 + 2 * kSpareExcess) +
-                             2 * kSpareRounding * (scene.part.radiusAboutOrigin() + contact->distance);
+        const double limit = (contact->distance + moved) * (1 + 2 * kSlackExcess) +
+                             2 * kSlackRounding * (scene.part.radiusAboutOrigin() + contact->distance);
         return scene.part.displacement(contact->X_environmentPart, X_environmentPart, limit) > limit;
     };
     return isOutside(zone.atStart, scene.startContact) && isOutside(zone.atGoal, scene.goalContact);

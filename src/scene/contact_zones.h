@@ -29,7 +29,7 @@ class ContactZones {
     }
 
     /// Fills in how far each zone's obstacles stay ignored around a pose, and forgets the zones' clearances.
-    void findSpares(const Scene& scene, const Pose& X_environmentPart, PoseClearance& answer) const;
+    void findSlacks(const Scene& scene, const Pose& X_environmentPart, PoseClearance& answer) const;
 
     /// Whether an obstacle counts at a pose and wherever the part is moved from there by at most `moved`.
     bool countsAround(const Scene& scene, std::size_t obstacle, const Pose& X_environmentPart,

@@ -63,7 +63,7 @@ double shorterTurn(const Vector3& from, const Vector3& to) {
 }
 
 /// axis: of unit length.
-SteadyMotion turning(const PartReach& part, const Vector3& velocity, double angle, const Vector3& axis,
+SteadyMotion turning(const PartExtent& part, const Vector3& velocity, double angle, const Vector3& axis,
                      double radius) {
     SteadyMotion motion;
     motion.velocity = velocity;
@@ -77,13 +77,13 @@ SteadyMotion turning(const PartReach& part, const Vector3& velocity, double angl
 
 }  // namespace
 
-PartReach::PartReach(const Model& part) : aboutOrigin(part.radiusAboutOrigin()) {
+PartExtent::PartExtent(const Model& part) : aboutOrigin(part.radiusAboutOrigin()) {
     for (int corner = 0; corner < 8; ++corner) {
         corners_[corner] = part.box().corner(static_cast<Box::CornerType>(corner));
     }
 }
 
-double PartReach::about(const Vector3& axis) const {
+double PartExtent::about(const Vector3& axis) const {
     double squared = 0;
     for (const Vector3& corner : corners_) squared = std::max(squared, axis.cross(corner).squaredNorm());
     return std::min(aboutOrigin, std::sqrt(squared) * (1 + 1e-12));
@@ -96,7 +96,7 @@ MotionPiece SteadyMotion::around(const Pose& middle, double halfTime) const {
     piece.angularVelocity = angularVelocity;
     // Points on a circle are off its tangent by radius angle^2 / 2.
     const double angle = halfTime * angularVelocity.norm();
-    piece.deviationAcrossTurn = 0.5 * angle * angle * radius;
+    piece.deviationAcrossRotation = 0.5 * angle * angle * radius;
     piece.deviation = halfTime * doubtfulSpeed;
     return piece;
 }
@@ -105,7 +105,7 @@ bool canBeInterpolated(const PartState& state) {
     return std::abs(state.rotation.norm() - 1) < kOmplNormError;
 }
 
-SteadyMotion se3Motion(const PartReach& part, const PartState& from, const PartState& to,
+SteadyMotion se3Motion(const PartExtent& part, const PartState& from, const PartState& to,
                        bool turnsTheOtherWay) {
     if (!canBeInterpolated(from) || !canBeInterpolated(to)) {
         SteadyMotion none;
@@ -128,7 +128,7 @@ SteadyMotion se3Motion(const PartReach& part, const PartState& from, const PartS
     return motion;
 }
 
-SteadyMotion se2Motion(const PartReach& part, double radius, const Vector3& from, const Vector3& to) {
+SteadyMotion se2Motion(const PartExtent& part, double radius, const Vector3& from, const Vector3& to) {
     const double turn = shorterTurn(from, to);
     return turning(part, {to.x() - from.x(), to.y() - from.y(), 0}, std::abs(turn),
                    {0, 0, turn < 0 ? -1.0 : 1.0}, radius);
@@ -220,7 +220,7 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
     const Vector4 products = first.cwiseProduct(second);
     const double product = products.sum(), rounding = 8 * 0x1p-53 * products.cwiseAbs().sum();
     const double nearness = std::abs(product) - (1 - kOmplNormError);  // above 0: OMPL leaves the turn out
-    const PartReach part(clearance.scene().part);
+    const PartExtent part(clearance.scene().part);
     const auto positionAt = [&](double time) -> Vector3 {
         return from.position + time * (to.position - from.position);
     };
@@ -247,7 +247,7 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
 SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to) {
     const Pose start = planarPose(from.x(), from.y(), from.z()), end = planarPose(to.x(), to.y(), to.z());
     if (!clearance.isFree(end)) return SweepVerdict::kContact;
-    const PartReach part(clearance.scene().part);
+    const PartExtent part(clearance.scene().part);
     const double turn = shorterTurn(from, to);
     return certifyPoses(clearance, se2Motion(part, part.about(Vector3::UnitZ()), from, to), start, end,
                         [&](double time) {

@@ -15,9 +15,9 @@
 namespace clearway {
 
 /// Bounds how far the part reaches from an axis.
-class PartReach {
+class PartExtent {
   public:
-    explicit PartReach(const Model& part);
+    explicit PartExtent(const Model& part);
 
     /// About an axis of unit length through the origin: at most, the box's. Model::radiusAboutAxis is tighter, but takes
     /// longer than a short motion.
@@ -48,11 +48,11 @@ bool canBeInterpolated(const PartState& state);
 
 /// The motion in SE(3). Turns of up to 2e-4 rad, which OMPL may leave out, are not trusted: they may happen or not.
 /// turnsTheOtherWay: OMPL's slerp goes to the negative of the second quaternion.
-SteadyMotion se3Motion(const PartReach& part, const PartState& from, const PartState& to,
+SteadyMotion se3Motion(const PartExtent& part, const PartState& from, const PartState& to,
                        bool turnsTheOtherWay);
 
 /// The motion in SE(2). States are (x, y, yaw); radius: the part's about z through its origin.
-SteadyMotion se2Motion(const PartReach& part, double radius, const Vector3& from, const Vector3& to);
+SteadyMotion se2Motion(const PartExtent& part, double radius, const Vector3& from, const Vector3& to);
 
 /// How far an axis of any length, in the part's frame, has the part from it at most.
 using RadiusAbout = std::function<double(const Vector3& axis)>;

@@ -23,7 +23,7 @@ void forEachPoseInBlocks(const SceneClearance& scene, std::size_t count, const A
 void requirePosesFor(const SceneClearance& scene, const std::vector<Pose>& poses) {
     for (const Pose& X_environmentPart : poses) {
         requirePose(X_environmentPart);
-        if (scene.isOutOfReach(X_environmentPart)) scene.isFree(X_environmentPart);
+        if (scene.isOutOfRange(X_environmentPart)) scene.isFree(X_environmentPart);
     }
 }
 

@@ -59,7 +59,7 @@ SceneClearance::SceneClearance(Scene scene)
         zones_->add(scene_, obstacle);
         // A query here refuses models that cannot be queried together, rather than later inside a planner.
         Pose somewhere;
-        if (const auto& reach = obstacle.model.reach()) somewhere.translation = reach->positions.center();
+        if (const auto& range = obstacle.model.range()) somewhere.translation = range->positions.center();
         isFree(i, somewhere, scratch_->mine());
     }
     zoneCount_ = zones_->count();
@@ -70,7 +70,7 @@ SceneClearance::~SceneClearance() = default;
 double SceneClearance::mostClearance() const {
     double most = kFarAway;
     for (const Obstacle& obstacle : scene_.obstacles) {
-        if (const auto& reach = obstacle.model.reach()) most = std::min(most, reach->cap - obstacle.margin);
+        if (const auto& range = obstacle.model.range()) most = std::min(most, range->cap - obstacle.margin);
     }
     return most;
 }
@@ -85,7 +85,7 @@ bool SceneClearance::isFree(const Pose& X_environmentPart) const {
 
 bool SceneClearance::isFree(const Pose& X_environmentPart, Scratch& mine) const {
     PoseClearance at;
-    zones_->findSpares(scene_, X_environmentPart, at);
+    zones_->findSlacks(scene_, X_environmentPart, at);
     const bool isApart = visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         if (zones_->isIgnored(i, at) || isFree(i, X_environmentPart, mine)) return true;
         mine.nearest = i;
@@ -123,7 +123,7 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         nameTriangle(answer.nearest);
         return answer;
     }
-    zones_->findSpares(scene_, X_environmentPart, answer);
+    zones_->findSlacks(scene_, X_environmentPart, answer);
     visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
         ClearanceOptions asked = options;
         const double cap =
@@ -131,7 +131,7 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         if (cap + scene_.obstacles[i].margin < 0) return true;
         asked.cap = cap;
         ZoneClearance* zone = zones_->zoneOf(i, answer);
-        if (zone && zone->isIgnored() && zone->spare.lower >= options.leastSpare) return true;
+        if (zone && zone->isIgnored() && zone->slack.lower >= options.leastSlack) return true;
         const Asked found = ask(i, X_environmentPart, asked, mine);
         answer.queries += found.queries;
         if (zone && !zone->clearance) zone->clearance.emplace();
@@ -245,10 +245,10 @@ SceneClearance::ColdStart::~ColdStart() {
     isCold_ = wasCold_;
 }
 
-bool SceneClearance::isOutOfReach(const Pose& X_environmentPart) const {
+bool SceneClearance::isOutOfRange(const Pose& X_environmentPart) const {
     return std::any_of(scene_.obstacles.begin(), scene_.obstacles.end(), [&](const Obstacle& obstacle) {
-        const std::optional<Reach>& reach = obstacle.model.reach();
-        return reach && !reach->positions.contains(X_environmentPart.translation);
+        const std::optional<QueryRange>& range = obstacle.model.range();
+        return range && !range->positions.contains(X_environmentPart.translation);
     });
 }
 

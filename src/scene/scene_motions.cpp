@@ -28,7 +28,7 @@ double SceneClearance::movedInHalf(const MotionPiece& piece, double halfTime) co
     const Vector3 centre = piece.middle.rotation * box.center();
     const Vector3 velocity = piece.velocity + piece.angularVelocity.cross(centre);
     const double aboutCentre = 0.5 * box.diagonal().norm() * piece.angularVelocity.norm();
-    return halfTime * (velocity.norm() + aboutCentre) + piece.deviation + piece.deviationAcrossTurn;
+    return halfTime * (velocity.norm() + aboutCentre) + piece.deviation + piece.deviationAcrossRotation;
 }
 
 /// The pieces with what the contact zones ignore of an obstacle.
@@ -38,13 +38,13 @@ MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, 
     return [this, i, &motion, poseError](double from, double to) {
         MotionPiece piece = motion.pieces(from, to);
         PoseClearance here;
-        zones_->findSpares(scene_, piece.middle, here);
-        const double spare = zones_->zoneOf(i, here)->spare.lower;
+        zones_->findSlacks(scene_, piece.middle, here);
+        const double slack = zones_->zoneOf(i, here)->slack.lower;
         const double half = 0.5 * (to - from);
         const double moved = std::min(half * motion.length, movedInHalf(piece, half)) + poseError;
-        if (spare >= moved) {
+        if (slack >= moved) {
             piece.counts = MotionPiece::Counts::kNowhere;
-        } else if (spare >= 0) {
+        } else if (slack >= 0) {
             piece.counts = MotionPiece::Counts::kNotAtMiddle;
         }
         return piece;
@@ -53,7 +53,7 @@ MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, 
 
 ContactsAt SceneClearance::contactsAt(const Pose& X_environmentPart) const {
     PoseClearance at;
-    zones_->findSpares(scene_, X_environmentPart, at);
+    zones_->findSlacks(scene_, X_environmentPart, at);
     return {at.isInStartContact, at.isInGoalContact};
 }
 
@@ -106,8 +106,8 @@ SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, 
     const double half = 0.5 * (range.to - range.from), travel = 2 * half * motion.length;
     const double moved = std::min(0.5 * travel, movedInHalf(piece, half)) + poseError;
     PoseClearance at;
-    zones_->findSpares(scene_, X, at);
-    if (zones_->zoneOf(i, at)->spare.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout
+    zones_->findSlacks(scene_, X, at);
+    if (zones_->zoneOf(i, at)->slack.lower >= moved) return SweepVerdict::kCertified;  // ignored throughout
     // No surfaces touch while the obstacle counts, so all of a range in which it counts is on one side.
     if (zones_->countsAround(scene_, i, X, moved)) {
         return enclosureBy(i, X) ? SweepVerdict::kContact : SweepVerdict::kCertified;
@@ -186,7 +186,7 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
     }
     if (!isFree(motion.start)) return {SweepVerdict::kContact, 0, 0};
 
-    const double radius = scene_.part.radiusAboutOrigin(), angle = motion.turn.norm();
+    const double radius = scene_.part.radiusAboutOrigin(), angle = motion.rotation.norm();
     const double moved = motion.translation.norm() + angle * radius;
     const PartMotion whole{piecesOf(motion, scene_.part), moved, /*endJump*/ 0};
     SceneSweepOptions options;

@@ -38,7 +38,7 @@ constexpr std::pair<WhyInvalid::Kind, const char*> kKindNames[] = {
     {WhyInvalid::Kind::kInSolid, "inside a solid"},
     {WhyInvalid::Kind::kTooClose, "too close"},
     {WhyInvalid::Kind::kNoPose, "no pose"},
-    {WhyInvalid::Kind::kOutOfReach, "out of reach"},
+    {WhyInvalid::Kind::kOutOfRange, "out of range"},
     {WhyInvalid::Kind::kUnusable, "unusable"},
     {WhyInvalid::Kind::kUndecided, "undecided"},
 };
@@ -101,7 +101,7 @@ std::string WhyInvalid::words() const {
         case Kind::kUndecided:
             return "undecided: closer than can be told";
         case Kind::kNoPose:
-        case Kind::kOutOfReach:
+        case Kind::kOutOfRange:
         case Kind::kUnusable:
             break;
     }
@@ -114,7 +114,7 @@ WhyInvalid SceneClearance::whyInvalid(const Pose& X_environmentPart) const {
     } catch (const std::invalid_argument& error) {
         WhyInvalid why;
         why.kind = !(rotationDefect(X_environmentPart) <= kPoseDefect) ? WhyInvalid::Kind::kNoPose
-                   : isOutOfReach(X_environmentPart)                   ? WhyInvalid::Kind::kOutOfReach
+                   : isOutOfRange(X_environmentPart)                   ? WhyInvalid::Kind::kOutOfRange
                                                                        : WhyInvalid::Kind::kUnusable;
         why.reason = error.what();
         return why;

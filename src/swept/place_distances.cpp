@@ -62,7 +62,7 @@ PlaceDistances::PlaceDistances(const Mesh& part, const std::vector<RigidMotion>&
     const double radius = 0.5 * part_.box().diagonal().norm();
     for (const RigidMotion& motion : motions) {
         // The centre's way is no longer than the translation and its arc about the origin.
-        const double reach = 0.5 * (motion.translation.norm() + motion.turn.norm() * centre.norm());
+        const double reach = 0.5 * (motion.translation.norm() + motion.rotation.norm() * centre.norm());
         const MotionPieces pieces = piecesOf(motion, part_);
         motions_.push_back({motion, pieces, pieces(0, 1).middle * centre, radius + reach + poseError});
         box_.extend(Box(motions_.back().centre - Vector3::Constant(motions_.back().radius),

@@ -162,9 +162,9 @@ class Sweeping {
         const double length = (to - from).norm(), step = kLeastStep * options_.tolerance;
         double way = -heights_[outer];
         for (int i = 0; i < kMostEdgeSteps && way < length; ++i) {
-            const double spare = middle(placeOf(from + way / length * (to - from), workspace)) - level();
-            if (spare <= step) break;
-            way += spare;
+            const double slack = middle(placeOf(from + way / length * (to - from), workspace)) - level();
+            if (slack <= step) break;
+            way += slack;
         }
         return pointOnEdge(from, to, way / length);
     }
@@ -201,13 +201,13 @@ class Sweeping {
     /// part or too narrow to hold a room that counts.
     bool isSettledWithoutSurface(const CellCorners& c) const {
         const auto& v = tetrahedra_.vertices();
-        const double spare = kMostPoseError * options_.tolerance;
+        const double slack = kMostPoseError * options_.tolerance;
         const bool isInside = heights_[c[0]] >= 0;
         for (int i = 0; i < 4; ++i) {
             double reach = 0;
             for (int j = 0; j < 4; ++j) reach = std::max(reach, (v[c[j]] - v[c[i]]).norm());
-            if (places_[c[i]].lower > reach + spare) return true;
-            if (isInside && places_[c[i]].upper + reach + spare <= options_.tolerance) return true;
+            if (places_[c[i]].lower > reach + slack) return true;
+            if (isInside && places_[c[i]].upper + reach + slack <= options_.tolerance) return true;
         }
         return isInside && longestEdge(c) <= kRoom * options_.tolerance;
     }

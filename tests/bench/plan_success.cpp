@@ -68,11 +68,11 @@ struct Run {
 constexpr const char* kHeader =
     "problem,seed,found,found_by,planning_seconds,room_seconds,finishing_seconds,states_checked,room_before,"
     "room_after,"
-    "least_clearance,cost,turned_degrees,length,states,colliding_by_oracle\n";
+    "least_clearance,cost,rotation_degrees,length,states,colliding_by_oracle\n";
 
 std::string rowOf(const std::string& problem, const Run& run) {
     const PlanReport& report = run.report;
-    const planning::RoomReport room = report.room.value_or(planning::RoomReport{});
+    const planning::WideningReport room = report.widening.value_or(planning::WideningReport{});
     std::string row = problem + "," + std::to_string(run.seed) + "," + (run.isFound() ? "1," : "0,");
     std::string by = report.foundBy;
     std::replace(by.begin(), by.end(), ',', ';');
@@ -80,7 +80,7 @@ std::string rowOf(const std::string& problem, const Run& run) {
     for (const double value :
          {report.planningSeconds, room.seconds, report.finishingSeconds, static_cast<double>(report.checks),
           room.before, room.after, run.isFound() ? report.audit.lowerClearance : 0, report.cost,
-          report.turned * 180 / M_PI, report.length, static_cast<double>(report.path.size()),
+          report.rotation * 180 / M_PI, report.length, static_cast<double>(report.path.size()),
           static_cast<double>(run.colliding)}) {
         row += "," + shortNumber(value);
     }
@@ -111,7 +111,7 @@ void printMedians(const std::string& problem, const std::vector<Run>& runs) {
               << " refuted by the oracle; medians: planning "
               << median([](auto& r) { return r.planningSeconds; }) << " s (worst " << shortNumber(worst)
               << "), clearance " << median([](auto& r) { return r.audit.lowerClearance; }) << ", turned "
-              << median([](auto& r) { return r.turned * 180 / M_PI; }) << " degrees\n";
+              << median([](auto& r) { return r.rotation * 180 / M_PI; }) << " degrees\n";
 }
 
 std::vector<Run> planAll(const Choices& choices, const std::string& file, const std::string& name,

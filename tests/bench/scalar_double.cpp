@@ -60,7 +60,7 @@ Vector3 nearOn(const Volume& rectangle, const Vector3& x) {
     return rectangle.centre + along0 * rectangle.axis0 + along1 * rectangle.axis1;
 }
 
-double reachAlong(const Vector3& v, const Volume& rectangle) {
+double supportAlong(const Vector3& v, const Volume& rectangle) {
     return std::abs(v.dot(rectangle.axis0)) * rectangle.half0 +
            std::abs(v.dot(rectangle.axis1)) * rectangle.half1;
 }
@@ -69,7 +69,7 @@ double reachAlong(const Vector3& v, const Volume& rectangle) {
 double gapAlong(const Vector3& v, const Volume& a, const Volume& b) {
     const double length = v.norm();
     if (!(length > 0)) return -kInfinity;
-    return (std::abs(v.dot(b.centre - a.centre)) - reachAlong(v, a) - reachAlong(v, b)) / length;
+    return (std::abs(v.dot(b.centre - a.centre)) - supportAlong(v, a) - supportAlong(v, b)) / length;
 }
 
 /// The largest support gap along the differences that alternating projections between two rectangles pass through.

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(points_leave_straight_lines_by_no_more_than_the_deviation) 
                          end = random.uniform(begin, k % 2 ? 1 : std::min(1.0, begin + 0.05));
             const double middle = (begin + end) / 2, half = (end - begin) / 2;
             const MotionPiece piece = told.pieces(begin, end);
-            BOOST_TEST_REQUIRE(piece.deviationAcrossTurn == 0);
+            BOOST_TEST_REQUIRE(piece.deviationAcrossRotation == 0);
             for (const double share : {-1.0, -0.4, 0.0, 0.1, 0.7, 1.0}) {
                 const Pose there = f.poseAt(from, to, std::min(1.0, middle + share * half));
                 for (const Vector3& vertex : f.part.vertices) {

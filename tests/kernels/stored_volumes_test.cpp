@@ -135,7 +135,7 @@ std::vector<std::array<long double, 2>> boundsBothWays(const VolumeCase& volumes
 }
 
 /// |t| + both trees' radii, mesh units: the length that kVolumeSlack is a multiple of.
-long double reachOf(const VolumeCase& volumes) {
+long double rangeOf(const VolumeCase& volumes) {
     const Vector3 between = volumes.pose * volumes.partFrame.origin - volumes.environmentFrame.origin;
     return between.norm() + std::ldexp(1.0, volumes.partFrame.unitExponent) +
            std::ldexp(1.0, volumes.environmentFrame.unitExponent);
@@ -186,7 +186,7 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_a_quarter_of_its_slack, eachTarget
         for (std::size_t lane = 0; lane < 8; ++lane) {
             for (const long double bound : bounds[lane]) {
                 most = std::max(most,
-                                (bound - volumes.distances[lane]) / (kUnitRoundoffFloat * reachOf(volumes)));
+                                (bound - volumes.distances[lane]) / (kUnitRoundoffFloat * rangeOf(volumes)));
             }
         }
     }

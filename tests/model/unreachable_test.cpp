@@ -1,5 +1,5 @@
 // Compares the triangles that are left out with their distances from the box of positions.
-#include "model/reach.h"
+#include "model/query_range.h"
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
@@ -35,9 +35,9 @@ double distanceFromBox(const Mesh& mesh, std::size_t triangle, const Box& solid)
     return static_cast<double>(least);
 }
 
-std::set<std::uint32_t> keptOf(const Mesh& mesh, const Reach& reach, std::size_t& leftOut) {
+std::set<std::uint32_t> keptOf(const Mesh& mesh, const QueryRange& range, std::size_t& leftOut) {
     CleanMesh cleaned = clean(mesh);
-    leftOut = leaveOutUnreachable(cleaned, reach);
+    leftOut = leaveOutUnreachable(cleaned, range);
     for (const Vector3& vertex : cleaned.vertices) BOOST_TEST(vertex.allFinite());
     for (std::size_t i = 0; i < cleaned.triangles.size(); ++i) {  // what is kept is what was there
         const auto expected = testing::cornersOf(mesh, cleaned.triangleIds[i]);
@@ -63,14 +63,14 @@ BOOST_AUTO_TEST_CASE(exactly_the_triangles_farther_than_radius_and_cap_are_left_
         const double size = seed % 3 == 0 ? 20 : seed % 3 == 1 ? 3 : 0.2;
         Mesh mesh = testing::randomSoup(random, 150, 12, size);
         if (seed % 4 == 0) mesh = testing::joined(mesh, testing::randomTerrain(random, 6, 30, 2));
-        const Reach reach{randomBox(random, 6), random.uniform(0, 3), random.uniform(0, 3)};
+        const QueryRange range{randomBox(random, 6), random.uniform(0, 3), random.uniform(0, 3)};
         std::size_t leftOut = 0;
-        const auto there = keptOf(mesh, reach, leftOut);
+        const auto there = keptOf(mesh, range, leftOut);
         BOOST_TEST_CONTEXT("seed " << seed) {
             BOOST_TEST(there.size() + leftOut == mesh.triangles.size());
             for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-                const double distance = distanceFromBox(mesh, i, reach.positions);
-                const double limit = reach.partRadius + reach.cap;
+                const double distance = distanceFromBox(mesh, i, range.positions);
+                const double limit = range.partRadius + range.cap;
                 const bool isThere = there.count(static_cast<std::uint32_t>(i)) > 0;
                 ++(isThere ? kept : gone);
                 if (distance <= limit) BOOST_TEST(isThere, "triangle " << i << " at " << distance);
@@ -96,9 +96,9 @@ BOOST_AUTO_TEST_CASE(a_triangle_at_the_very_limit_stays_at_any_scale) {
                              {3, 9 + distance, 0}};
             mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
             std::size_t leftOut = 0;
-            const Reach reach{Box(Vector3(-5, -6, -7) * scale, Vector3(5, 7, 8) * scale), 2 * scale,
-                              0.5 * scale};
-            return keptOf(testing::scaledBy(mesh, scale), reach, leftOut).count(1) > 0;
+            const QueryRange range{Box(Vector3(-5, -6, -7) * scale, Vector3(5, 7, 8) * scale), 2 * scale,
+                                   0.5 * scale};
+            return keptOf(testing::scaledBy(mesh, scale), range, leftOut).count(1) > 0;
         };
         BOOST_TEST_CONTEXT("scale " << scale) {
             BOOST_TEST(keepsAt(2.5));
@@ -157,11 +157,11 @@ BOOST_AUTO_TEST_CASE(a_reach_that_is_none_is_refused_by_name) {
     const Box box(Vector3(-1, -1, -1), Vector3(1, 1, 1));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    const auto requireRefused = [](const Reach& reach, const std::string& what) {
-        testing::requireRefusedBy([&] { requireReach(reach); }, {what});
+    const auto requireRefused = [](const QueryRange& range, const std::string& what) {
+        testing::requireRefusedBy([&] { requireRange(range); }, {what});
     };
-    BOOST_CHECK_NO_THROW(requireReach({box, 0, 0}));
-    BOOST_CHECK_NO_THROW(requireReach({Box(Vector3(1, 2, 3)), 1, 1}));
+    BOOST_CHECK_NO_THROW(requireRange({box, 0, 0}));
+    BOOST_CHECK_NO_THROW(requireRange({Box(Vector3(1, 2, 3)), 1, 1}));
     requireRefused({Box(), 1, 1}, "positions along x");
     requireRefused({Box(Vector3(-1, 2, -1), Vector3(1, 1, 1)), 1, 1}, "positions along y are 2 to 1");
     requireRefused({Box(Vector3(-1, -1, nan), Vector3(1, 1, 1)), 1, 1}, "positions along z");

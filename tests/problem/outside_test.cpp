@@ -73,11 +73,11 @@ BOOST_AUTO_TEST_CASE(no_direction_reaches_less_far_than_the_flattest_one) {
             for (int i = 0; i < 10000; ++i) {
                 Vector3 direction = randomRotation(random) * Vector3::UnitX();
                 if (dimensions == 2) direction = Vector3(direction.x(), direction.y(), 0).normalized();
-                BOOST_TEST_REQUIRE(reachAlong(direction, box) >= reachAlong(flattest, box) - 1e-12);
+                BOOST_TEST_REQUIRE(supportAlong(direction, box) >= supportAlong(flattest, box) - 1e-12);
             }
         }
     }
-    BOOST_TEST(reachAlong(flattestDirection(kPart, 3), kPart) == 1);
+    BOOST_TEST(supportAlong(flattestDirection(kPart, 3), kPart) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(derived_bounds_hold_the_part_outside_however_it_is_turned) {

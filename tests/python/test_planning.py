@@ -101,7 +101,7 @@ def test_a_check_says_where_a_path_is_not_valid():
     assert (closest.segment, closest.part_mesh, closest.environment_mesh) == (3, "cube", "cube")
     assert not scene.is_free(closest.pose) and checked.audit.lower_clearance <= -0.25 <= checked.audit.upper_clearance
     good = planning.check(problem, path[:3], scene=scene)
-    assert good.is_valid and not good and abs(good.audit.length - 11) < 1e-12 and abs(good.audit.turned - 0.5) < 1e-12
+    assert good.is_valid and not good and abs(good.audit.length - 11) < 1e-12 and abs(good.audit.rotation - 0.5) < 1e-12
 
 
 def test_a_profile_bounds_the_clearance_of_every_pose():
@@ -260,7 +260,7 @@ def test_an_interrupt_keeps_the_path_found_so_far():
 
     def tell(now):
         phases.append(now.phase)
-        if now.phase == "making room":
+        if now.phase == "widening":
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt) as caught:

@@ -213,7 +213,7 @@ std::vector<std::vector<std::vector<TakenPair>>> takenOf(const LeafCase& leaves,
 
 /// The reach of two trees of one leaf each: both radii and the offset between the centres, as LeafPairs adds
 /// them up.
-long double reachOf(const LeafCase& leaves, const PairQuery& query) {
+long double rangeOf(const LeafCase& leaves, const PairQuery& query) {
     const Leaf a = treeOf(leaves.part).leaf(0), b = treeOf(leaves.environment).leaf(0);
     const Vector3 between = leaves.pose * Vector3(a.centre.data()) - Vector3(b.centre.data());
     return a.radius * query.partLeafToQuery + b.radius * query.environmentLeafToQuery +
@@ -274,7 +274,7 @@ BOOST_DATA_TEST_CASE(rounding_takes_less_than_half_of_its_slack, eachTarget(), t
             preparePairQuery(treeOf(leaves.part), treeOf(leaves.environment), leaves.pose);
         if (treeOf(leaves.part).leaves().size() != 1 || treeOf(leaves.environment).leaves().size() != 1)
             continue;
-        const long double reach = reachOf(leaves, query), u = kUnitRoundoffFloat;
+        const long double reach = rangeOf(leaves, query), u = kUnitRoundoffFloat;
         const long double slack = kTriangleSlack * u * reach + query.offsetSlack;
         if (query.offsetSlack > 0.01L * slack) continue;  // far from the origin: the offset's slack
         const auto taken = takenOf(leaves, query, std::numeric_limits<float>::max());

@@ -88,14 +88,14 @@ BOOST_AUTO_TEST_CASE(quaternions_must_have_unit_length) {
         return std::string(error.what()).rfind("the quaternion of the second state has length 1.0", 0) == 0;
     });
     BOOST_TEST(isCertified(room, fine, {{0, 0, 0}, {1 + 5e-10, 0, 0, 0}}));
-    const PartReach reach(kRod);
+    const PartExtent reach(kRod);
     BOOST_TEST(std::isnan(se3Motion(reach, fine, longer, false).length));
     BOOST_TEST(std::isnan(se3Displacement(fine, longer, 3, [](const Vector3&) { return 3; })));
 }
 
 /// The pieces hold the points of the part within their deviation, and no point moves further than the two lengths.
 BOOST_AUTO_TEST_CASE(pieces_and_lengths_hold_the_points_of_the_part) {
-    const PartReach reach(kRod);
+    const PartExtent reach(kRod);
     for (int seed = 1; seed <= 200; ++seed) {
         testing::Random random(seed);
         const Rotation first(random.rotation()), second(random.rotation());
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(pieces_and_lengths_hold_the_points_of_the_part) {
             const Vector3 straight =
                 piece.middle * point + half * (piece.velocity + piece.angularVelocity.cross(turned));
             const Vector3 there = poseAt(middle + half) * point;
-            BOOST_TEST((there - straight).norm() <= piece.deviation + piece.deviationAcrossTurn + 1e-12);
+            BOOST_TEST((there - straight).norm() <= piece.deviation + piece.deviationAcrossRotation + 1e-12);
             BOOST_TEST((poseAt(1) * point - poseAt(0) * point).norm() <= tight + 1e-12);
         }
     }

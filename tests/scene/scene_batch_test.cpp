@@ -54,18 +54,18 @@ BOOST_AUTO_TEST_CASE(batches_answer_as_single_questions_on_any_number_of_threads
 
 BOOST_AUTO_TEST_CASE(the_first_pose_that_is_refused_is_the_error) {
     const Model part = cube(0.5);
-    const Reach reach{Box(Vector3::Constant(-5), Vector3::Constant(5)), part.radiusAboutOrigin(), 20};
+    const QueryRange range{Box(Vector3::Constant(-5), Vector3::Constant(5)), part.radiusAboutOrigin(), 20};
     const auto far = boxMesh({Vector3(1000, 0, 0), Vector3(1001, 1, 1)});
-    const SceneClearance scene(Scene(part, Model::build(far, {}, reach)));
+    const SceneClearance scene(Scene(part, Model::build(far, {}, range)));
     std::vector<Pose> poses = around();
     poses[7].translation.x() = 6;
     const auto namesPosition = [](const std::invalid_argument& error) {
-        return std::string(error.what()).find("reach") != std::string::npos;
+        return std::string(error.what()).find("range") != std::string::npos;
     };
     BOOST_CHECK_EXCEPTION(scene.isFreeBatch(poses), std::invalid_argument, namesPosition);
     poses[3].rotation *= 2;
     const auto namesDefect = [](const std::invalid_argument& error) {
-        return std::string(error.what()).find("reach") == std::string::npos;
+        return std::string(error.what()).find("range") == std::string::npos;
     };
     BOOST_CHECK_EXCEPTION(scene.clearanceBatch(poses), std::invalid_argument, namesDefect);
 }

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(each_kind_has_its_words) {
          "too close: triangle 7 of the part's mesh 'peg' and triangle 8 of the environment's mesh "
          "'block' are 0.25 mm apart, expected more than the margin 0.5 mm"},
         {Kind::kNoPose, "unusable: no reason"},
-        {Kind::kOutOfReach, "unusable: no reason"},
+        {Kind::kOutOfRange, "unusable: no reason"},
         {Kind::kUnusable, "unusable: no reason"},
         {Kind::kUndecided, "undecided: closer than can be told"},
     };
@@ -136,14 +136,14 @@ BOOST_AUTO_TEST_CASE(a_pose_that_queries_refuse_is_a_value_too) {
         BOOST_TEST(why.isUnusable());
         BOOST_TEST(why.reason != "");
     }
-    Reach reach;
-    reach.positions = Box(Vector3(-8, -8, -8), Vector3(8, 8, 8));
-    reach.partRadius = scene.scene.part.radiusAboutOrigin();
-    reach.cap = 2;
-    const Mesh far = transformed(scene.block, at(400));  // left out: a model that lacks nothing has no reach
-    scene.scene.obstacles[0] = Obstacle(Model::build(joined(scene.block, far), {}, reach));
+    QueryRange range;
+    range.positions = Box(Vector3(-8, -8, -8), Vector3(8, 8, 8));
+    range.partRadius = scene.scene.part.radiusAboutOrigin();
+    range.cap = 2;
+    const Mesh far = transformed(scene.block, at(400));  // left out: a model that lacks nothing has no range
+    scene.scene.obstacles[0] = Obstacle(Model::build(joined(scene.block, far), {}, range));
     BOOST_TEST(scene.why(at(7)).isValid());
-    BOOST_TEST((scene.why(at(9)).kind == Kind::kOutOfReach));
+    BOOST_TEST((scene.why(at(9)).kind == Kind::kOutOfRange));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,7 +31,7 @@ double rangeOf(const Problem& problem, const Model& part) {
 AnytimePlanner::AnytimePlanner(const Problem& problem, const Scene& scene, const std::string& planner,
                                const Parameters& parameters, const std::string& objective,
                                std::uint32_t seed) {
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     ompl::RNG::setSeed(seed);
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     const auto space = planning::makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin());
@@ -71,7 +71,7 @@ void AnytimePlanner::planIterations(std::uint64_t iterations) {
 }
 
 void AnytimePlanner::plan(const ob::PlannerTerminationCondition& isSpent) {
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     planner_->solve(isSpent);
     if (const auto found = planning::bestSolution(*definition_)) {
         if (!best_ || objective_->isCostBetterThan(ob::Cost(found->cost), ob::Cost(*best_))) {

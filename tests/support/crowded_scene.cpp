@@ -25,8 +25,8 @@ Box positionsOf(const CrowdedLayout& layout) {
     return Box((layout.room.min() + layout.at - more).eval(), (layout.room.max() + layout.at + more).eval());
 }
 
-/// A reach for the bounds, which may be exceeded by rounding. Its cap is the margin and some clearance more.
-Reach reachOf(const CrowdedLayout& layout, const Model& part, double margin) {
+/// A range for the bounds, which may be exceeded by rounding. Its cap is the margin and some clearance more.
+QueryRange rangeOf(const CrowdedLayout& layout, const Model& part, double margin) {
     const Box positions = positionsOf(layout);
     const Vector3 slack = Vector3::Constant(1e-9 * (positions.diagonal().norm() + layout.at.norm()));
     const double radius = part.radiusAboutOrigin();
@@ -36,13 +36,13 @@ Reach reachOf(const CrowdedLayout& layout, const Model& part, double margin) {
 
 Obstacle obstacleOf(const CrowdedLayout& layout, const CrowdedLayout::Piece& piece, const Model& part) {
     Mesh mesh = translated(piece.mesh, layout.at);
-    std::optional<Reach> reach;
-    if (layout.hasReach) {
-        reach = reachOf(layout, part, piece.margin);
-        const double away = 4 * (reach->positions.diagonal().norm() + reach->partRadius + reach->cap);
+    std::optional<QueryRange> range;
+    if (layout.hasRange) {
+        range = rangeOf(layout, part, piece.margin);
+        const double away = 4 * (range->positions.diagonal().norm() + range->partRadius + range->cap);
         mesh = joined(mesh, translated(box({1, 1, 1}), layout.at + Vector3(away, 0, 0)));
     }
-    Obstacle obstacle{Model::build(mesh, {}, reach), piece.margin};
+    Obstacle obstacle{Model::build(mesh, {}, range), piece.margin};
     if (piece.isSolid) obstacle.solids = makeSolids(mesh).solids;
     obstacle.isIgnoredAtStart = piece.isIgnoredAtStart;
     obstacle.isIgnoredAtGoal = piece.isIgnoredAtGoal;
@@ -95,7 +95,7 @@ CrowdedScene::CrowdedScene(const CrowdedLayout& layout)
       scene(sceneOf(layout)),
       space(planning::makeSpace(kind, positionsOf(layout), 1)),
       si(std::make_shared<ob::SpaceInformation>(space)),
-      mostClearance(layout.hasReach ? 0.99 * kReachedClearance * scene.part.box().diagonal().norm()
+      mostClearance(layout.hasRange ? 0.99 * kReachedClearance * scene.part.box().diagonal().norm()
                                     : std::numeric_limits<double>::infinity()),
       diagonal(scene.part.box().diagonal().norm()),
       rounding(roundingOf(scene, positionsOf(layout))) {
@@ -249,12 +249,12 @@ CrowdedLayout needleWork() {
 
 /// far: how far from the origin the environment is. offCentre: how far from the part's origin the body is.
 CrowdedLayout changed(CrowdedLayout layout, const std::string& name, double far, double offCentre,
-                      bool hasReach) {
+                      bool hasRange) {
     const bool isPlanar = layout.kind == Space::kSe2;
     layout.name = name;
     layout.at = far * Vector3(0.6, -0.7, isPlanar ? 0 : 0.5);
     layout.bodyInPart = offCentre * Vector3(0.5, 0.8, isPlanar ? 0 : -0.3);
-    layout.hasReach = hasReach;
+    layout.hasRange = hasRange;
     if (offCentre > 100) layout.turn = 30 / offCentre;  // larger turns would swing the body far away
     return layout;
 }
@@ -267,15 +267,15 @@ std::vector<CrowdedLayout> crowdedLayouts() {
             shells(),
             plane(),
             needleWork(),
-            changed(yard(), "yard, reach", 0, 0, true),
-            changed(plane(), "plane, reach", 0, 0, true),
+            changed(yard(), "yard, range", 0, 0, true),
+            changed(plane(), "plane, range", 0, 0, true),
             changed(assembly(), "assembly, far", 7e5, 0, false),
-            changed(plane(), "plane, far, off centre, reach", 7e5, 40, true),
+            changed(plane(), "plane, far, off centre, range", 7e5, 40, true),
             changed(needleWork(), "needles, far", 1e6, 0, false),
             changed(shells(), "shells, off centre", 0, 200, false),
             changed(assembly(), "assembly, far off centre", 0, 7e5, false),
             changed(shells(), "shells, far off centre", 0, 1e5, false),
-            changed(shells(), "shells, far, off centre, reach", 1e6, 100, true)};
+            changed(shells(), "shells, far, off centre, range", 1e6, 100, true)};
 }
 
 }  // namespace clearway::testing

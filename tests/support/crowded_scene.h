@@ -41,7 +41,7 @@ struct CrowdedLayout {
 
     Vector3 at = Vector3::Zero();          ///< the environment is moved here
     Vector3 bodyInPart = Vector3::Zero();  ///< the body is moved here in the part's coordinates
-    bool hasReach = false;                 ///< obstacles are built for the bounds, and lose a piece far away
+    bool hasRange = false;                 ///< obstacles are built for the bounds, and lose a piece far away
 };
 
 /// Stops searches that take long, which leaves their motions undecided. It counts how often a validator asks whether

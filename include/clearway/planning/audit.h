@@ -20,7 +20,7 @@ struct SegmentAudit {
     MotionReport motion;     ///< the validator's report of the motion
     Pose X_environmentPart;  ///< the part at motion.closestTime, where motion.closest is
     double length = 0;       ///< straight distance of the part's origin from end to end; environment units
-    double turned = 0;       ///< angle between the ends, radians
+    double rotation = 0;     ///< angle between the ends, radians
     /// Name of the part's mesh in motion.closest: a component's name, else its file's. Empty when
     /// motion.closest has no two triangles.
     std::string partMesh;
@@ -51,7 +51,7 @@ struct PathAudit {
     double lowerClearance = 0;
     double upperClearance = 0;              ///< upper bound of the least distance - margin along the path
     double length = 0;                      ///< SegmentAudit::length, summed over the segments
-    double turned = 0;                      ///< SegmentAudit::turned, summed over the segments
+    double rotation = 0;                    ///< SegmentAudit::rotation, summed over the segments
     std::uint64_t queries = 0;              ///< MotionReport::queries, summed over the segments
     std::vector<PathProfilePoint> profile;  ///< in order; empty unless asked for
 

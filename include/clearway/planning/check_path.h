@@ -31,7 +31,7 @@ struct PathCheck {
 /// Audits the path in the problem's space, within the problem's bounds and with the scene's margins. Throws
 /// ArgumentError when the path has no state, a coordinate is more than 1e12 times the scene's
 /// largest, the bounds leave out the problem's start or goal, or the environment was built with too small a
-/// reach (see planningReach).
+/// range (see planningRange).
 PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
                     const AuditOptions& options = {/*profile*/ true});
 

@@ -32,7 +32,7 @@ struct ObjectiveCounters {
 };
 
 /// The base of the objectives here. The clearance is the least distance - margin over the obstacles that
-/// count at a pose; a reach limits it (see ValidityChecker::clearance). Objectives may be used before
+/// count at a pose; a range limits it (see ValidityChecker::clearance). Objectives may be used before
 /// si->setup().
 ///
 /// Where OMPL interpolates the same way in both directions, as in SE(3) and SE(2), a motion and its reverse
@@ -55,7 +55,7 @@ class ClearanceObjective : public ompl::base::OptimizationObjective {
   protected:
     /// A Scene, or a SharedScene that others share. Throws ArgumentError when si is null or has another space than
     /// OMPL's SE(3) and SE(2) and the scene no callbacks for it (see displacementBound), a margin is negative or not finite,
-    /// the part and an obstacle cannot be queried together, or the environment was built with a reach that is not longer
+    /// the part and an obstacle cannot be queried together, or the environment was built with a range that is not longer
     /// than the margin.
     ClearanceObjective(const ompl::base::SpaceInformationPtr& si, SharedScene scene);
 
@@ -69,7 +69,7 @@ const SharedScene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 /// The option of MinClearanceObjective.
 struct MinClearanceOptions {
     /// Clearances above the cap count as the cap. Environment units, finite, > 0. By default there is none, but what the
-    /// environment's reach allows. No path has more clearance than its start and its goal: their least is a good cap.
+    /// environment's range allows. No path has more clearance than its start and its goal: their least is a good cap.
     std::optional<double> cap;
 };
 
@@ -113,7 +113,7 @@ class MinClearanceObjective : public ClearanceObjective {
                                          const ompl::base::State* s2) const override;
 
     /// The clearance from which on all clearances count alike; environment units. It is the option's value, or the largest
-    /// clearance that the environment's reach lets queries tell, if that is less; infinite without either.
+    /// clearance that the environment's range lets queries tell, if that is less; infinite without either.
     double cap() const { return cap_; }
 
   private:

@@ -61,8 +61,7 @@ enum class MotionVerdict {
 
 /// Everything that MotionValidator reports about a motion.
 struct MotionReport {
-    MotionVerdict verdict =
-        MotionVerdict::kInvalid;  ///< checkMotion's answer, and whether a pose is invalid
+    MotionVerdict verdict = MotionVerdict::kInvalid;  ///< checkMotion's answer, and whether a pose is invalid
     /// All poses of [0, certifiedTime] are valid, unless the start is not. 1: all poses are.
     double certifiedTime = 0;
     /// Lower bound of the least distance - margin along the motion, over the obstacles that count;
@@ -73,7 +72,7 @@ struct MotionReport {
     double upperClearance = 0;
     double closestTime = 0;  ///< of the closest of the poses looked at; 1 is s2 itself
     /// Both triangles, their components and points, and the obstacle at closestTime. No witness when that pose
-    /// is farther than the environment's reach, or no pose was looked at.
+    /// is farther than the environment's range, or no pose was looked at.
     SceneDistance closest;
     /// The times from the first to the last of the poses looked at that are within Scene::startContact, where
     /// obstacles are ignored.
@@ -124,8 +123,8 @@ class MotionValidator : public ompl::base::MotionValidator {
     /// pose that is queried. Throws ArgumentError when si is null or has another space than OMPL's SE(3) and SE(2) and
     /// the scene no callbacks for it, with the name of the space (see displacementBound), a margin is negative or not finite,
     /// the part and an obstacle cannot be queried together, leastInterval is not finite and above 0, or the environment was
-    /// built with a reach shorter than the margin plus the least interval. Clearances beyond such a reach count as the
-    /// reach's end.
+    /// built with a range shorter than the margin plus the least interval. Clearances beyond such a range count as the
+    /// range's end.
     MotionValidator(const ompl::base::SpaceInformationPtr& si, SharedScene scene,
                     const MotionOptions& options = {});
     ~MotionValidator() override;
@@ -150,7 +149,7 @@ class MotionValidator : public ompl::base::MotionValidator {
 
     /// Reports a motion in full. The bounds of a valid motion's clearance are no farther apart than 1 % of it
     /// or, where that is more, 1e-3 of the part's diagonal, but then no farther than 10 % of it or the least
-    /// interval; unless the environment's reach ends before, or the motion comes within rounding of a contact zone's
+    /// interval; unless the environment's range ends before, or the motion comes within rounding of a contact zone's
     /// boundary without crossing it, so that which obstacles count is unknown. Not counted.
     MotionReport report(const ompl::base::State* s1, const ompl::base::State* s2) const;
 

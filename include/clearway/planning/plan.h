@@ -46,10 +46,10 @@ constexpr double kMostOverrun = 1.25;
 
 /// The phases of plan(), in order.
 enum class PlanPhase {
-    kPlanning,    ///< the planners look for a path
-    kMakingRoom,  ///< the path is widened, where that is wanted
-    kFinishing,   ///< the path is shortened and audited
-    kAskingWhy    ///< there is no path, and the reason is looked for
+    kPlanning,   ///< the planners look for a path
+    kWidening,   ///< the path is widened, where that is wanted
+    kFinishing,  ///< the path is shortened and audited
+    kAskingWhy   ///< there is no path, and the reason is looked for
 };
 
 /// How plan() plans: the planner, its limits, and what the path keeps.
@@ -84,7 +84,7 @@ struct PlanOptions {
     /// objectiveNames(). Empty: the problem's objective, unless that is length without a threshold.
     std::string objective;
     std::optional<double> wantedClearance;  ///< see LengthWithClearanceOptions; for this objective alone
-    /// Leaves out what makes room after planning (see PlanReport::room). Not allowed together with an objective, which
+    /// Leaves out widening, the step after planning (see PlanReport::widening). Not allowed together with an objective, which
     /// leaves it out anyway.
     bool quick = false;
     bool omplWeights = false;  ///< weights rotation as OMPL does, instead of by the part's radius
@@ -101,11 +101,11 @@ struct PlanOptions {
     std::function<void(const PlanReport&)> onOverrun;
 };
 
-/// A path's clearance before room was made between planning and shortening, and after.
-struct RoomReport {
+/// A path's clearance before and after widening, the step between planning and shortening.
+struct WideningReport {
     double before = 0;   ///< clearance that all motions keep, certified, to 10 %; environment units
     double after = 0;    ///< clearance that the widened path keeps, to 1 %; shortening keeps it too
-    double seconds = 0;  ///< that making room took
+    double seconds = 0;  ///< that widening took
 };
 
 /// The path, if there is one, and how it was found. Lengths in environment units.
@@ -128,19 +128,19 @@ struct PlanReport {
 
     std::vector<PartState> path;   ///< empty unless found
     double length = 0;             ///< travelled by the origin of the part's coordinates
-    double turned = 0;             ///< radians, summed over the path
+    double rotation = 0;           ///< radians, summed over the path
     std::size_t statesBefore = 0;  ///< in the path as the planner found it
     double floor = 0;              ///< clearance that shortening kept, where the planner's path kept it
     PathAudit audit;               ///< of the path, which is valid along its whole length
 
     /// Paths are widened before they are shortened: their states are pushed away from obstacles, and planners
-    /// look for other ways, some for more room and some for less winding with about as much room. This takes about as
+    /// look for other paths, some with more clearance and some that wind less with about as much clearance. This takes about as
     /// long as the planning, from 1 to 5 seconds, and no more than half of the time left; up to three times as long, within
     /// 5 seconds, while the clearance still grows fast. With iterations no other ways
     /// are looked for, and the states are pushed a number of times in proportion to the iterations spent; the path is then
-    /// repeatable, but with another tree of the same environment (as with another reach) it is another path. Empty with
+    /// repeatable, but with another tree of the same environment (as with another range) it is another path. Empty with
     /// PlanOptions::quick, with an objective, and when no path was found.
-    std::optional<RoomReport> room;
+    std::optional<WideningReport> widening;
 
     /// There is no path, and nothing was planned. Obstacles that are ignored in a contact zone, or may overlap the part, prove
     /// nothing.
@@ -151,7 +151,7 @@ struct PlanReport {
 
     double planningSeconds = 0;  ///< for running the planners
     double finishingSeconds =
-        0;  ///< for making room, simplifying and auditing, or for finding out why there is no path
+        0;  ///< for widening, simplifying and auditing, or for finding out why there is no path
     std::uint64_t checks = 0;           ///< states asked about, in all
     std::vector<std::string> warnings;  ///< of clearway and of OMPL, one text each
 };
@@ -159,7 +159,7 @@ struct PlanReport {
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
 /// begins at the problem's start, ends at its goal, and is valid along its whole length. Throws ArgumentError
 /// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal or
-/// leave no room for a goal outside, the environment was built with too small a reach (see planningReach), or start
+/// leave the part no place outside, the environment was built with too small a range (see planningRange), or start
 /// or goal is not valid: then the message names the two closest meshes and triangles.
 /// Throws OmplError when OMPL refuses its work.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
@@ -169,13 +169,13 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
 /// [clearway], an unknown name only gives a warning: such files hold names that OMPL no longer has.
 std::vector<std::string> unknownNames(const Problem& problem);
 
-/// The reach that plan() and checkPath() need of an environment's model: all positions within the problem's
+/// The range that plan() and checkPath() need of an environment's model: all positions within the problem's
 /// bounds, and distances up to the problem's largest margin plus its fineness (else 1/500 of the part's diagonal) or,
 /// where that is more, the largest clearance that an objective distinguishes, plus the part's diameter. Nothing
 /// when clearances of any size decide what is found (the sampler max_clearance, the objective max_min_clearance). environmentBox: the box of
 /// the whole environment. Throws ArgumentError as boundsOf does.
-std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
-                                   const Box& environmentBox);
+std::optional<QueryRange> planningRange(const Problem& problem, const PlanOptions& options, const Model& part,
+                                        const Box& environmentBox);
 
 }  // namespace clearway::planning
 

@@ -19,7 +19,7 @@ namespace clearway::planning {
 /// alphabetical order: SlidingRRTConnect (see its header); PlannerTeam, which runs RRTConnect with restarts and two
 /// SlidingRRTConnect, side by side or by turns, until one finds a path; and RisingFloor, which plans for paths of more and
 /// more least clearance. The three need a clearway::planning::ValidityChecker.
-/// RisingFloor also needs an environment whose reach covers the clearances of max_min_clearance.
+/// RisingFloor also needs an environment whose range covers the clearances of max_min_clearance.
 std::vector<std::string> plannerNames();
 
 /// OMPL's class name for a planner written in any case, or for one of OMPL.app's short names ("kpiece",

@@ -25,7 +25,7 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     ~WitnessSampler() override;
 
     /// The clearance of the part at a state.
-    struct Room {
+    struct StateClearance {
         bool isValid = false;  ///< ValidityChecker::isValid
         double clearance = 0;  ///< ValidityChecker::clearance
         Vector3 away =
@@ -33,7 +33,7 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
     };
 
     /// Asks the checker about a state.
-    Room roomAt(const ompl::base::State* state) const;
+    StateClearance clearanceAt(const ompl::base::State* state) const;
 
     /// Moves a state's position; environment's frame and units. In SE(2) by.z() is left out.
     void translate(ompl::base::State* state, const Vector3& by) const;

@@ -36,8 +36,8 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
   public:
     /// A Scene, or a SharedScene that others share. Throws ArgumentError when si is null or has another space than
     /// OMPL's SE(3) and SE(2) and the scene no callback for it (see stateToPose), a margin is negative or not finite, or the
-    /// part and an obstacle cannot be queried together. An environment built with a reach (Model::reach) must hold all
-    /// positions within the bounds: a state within the bounds and out of the reach is answered invalid, as one without a
+    /// part and an obstacle cannot be queried together. An environment built with a range (Model::range) must hold all
+    /// positions within the bounds: a state within the bounds and out of the range is answered invalid, as one without a
     /// pose.
     ValidityChecker(const ompl::base::SpaceInformationPtr& si, SharedScene scene);
 
@@ -53,13 +53,13 @@ class ValidityChecker : public ompl::base::StateValidityChecker {
 
     /// A lower bound of distance - margin, the least over the obstacles, in environment units. It is above 0
     /// exactly when the state is valid: it is raised to the least positive double for a valid state and
-    /// lowered to at most 0 for another one. It is no penetration depth. An environment's reach limits it to
-    /// the reach's cap - margin.
+    /// lowered to at most 0 for another one. It is no penetration depth. An environment's range limits it to
+    /// the range's cap - margin.
     double clearance(const ompl::base::State* state) const override;
     using ompl::base::StateValidityChecker::clearance;
 
     /// Least distance, witness points and triangles at a state, whatever the bounds and the margins say.
-    /// Throws ArgumentError when the state has no pose or is out of the environment's reach.
+    /// Throws ArgumentError when the state has no pose or is out of the environment's range.
     SceneDistance distance(const ompl::base::State* state) const;
 
     /// Why a state is not valid: out of the bounds or, within them, what SceneClearance::whyInvalid says. Not counted.

@@ -53,7 +53,7 @@ SegmentAudit describe(const og::PathGeometric& path, const MotionValidator& vali
     if (segment.motion.whyInvalid.isUnusable()) return segment;  // the states have no poses
     const Pose from = validator.pose(ends.from), to = validator.pose(ends.to);
     segment.length = (to.translation - from.translation).norm();
-    segment.turned = angleBetween(from, to);
+    segment.rotation = angleBetween(from, to);
     segment.X_environmentPart = poseAt(path, validator, ends, segment.motion.closestTime);
     const MeshNames names = distinctMeshNames(validator.scene(), segment.motion.closest);
     segment.partMesh = names.part;
@@ -78,7 +78,7 @@ void add(PathAudit& audit, SegmentAudit segment) {
     if (motion.upperClearance < audit.upperClearance) audit.closest = index;
     audit.upperClearance = std::min(audit.upperClearance, motion.upperClearance);
     audit.length += segment.length;
-    audit.turned += segment.turned;
+    audit.rotation += segment.rotation;
     audit.queries += motion.queries;
     audit.segments.push_back(std::move(segment));
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planning/space/ompl_refusal.h"
 #include <limits>
 #include <stdexcept>
+#include "planning/space/ompl_refusal.h"
 
 namespace clearway::planning {
 namespace {
@@ -20,7 +20,7 @@ namespace ob = ompl::base;
 constexpr double kPoseRounding = 0x1p-47;
 
 /// How many errors of kPoseRounding can add up over one interval: two per end, three where s2 replaces the
-/// interpolated end. The rest is room.
+/// interpolated end. The rest is allowance.
 constexpr double kRoundingsOfAnInterval = 8;
 
 /// A rough clearance is known to a tenth of itself, which may be all that it has above a floor.
@@ -50,7 +50,7 @@ MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& l
         return Bounds{low(x.lower, y.lower), high(x.upper, y.upper)};
     };
     MotionSample result = a;
-    result.room = both(a.room, b.room);
+    result.clearance = both(a.clearance, b.clearance);
     result.lower = low(a.lower, b.lower);
     result.upper = high(a.upper, b.upper);
     return result;
@@ -142,13 +142,13 @@ std::optional<LeastClearance> Motion::leastClearance(LeastClearanceOptions optio
     found.upper = std::min(found.upper, atEnds.upper);
     found.time = leastTime_;
     if (found.lower > 0) return hasSolids() && !isFreeAtStart() ? std::nullopt : std::optional(found);
-    return leastWithoutRoom(found, options);
+    return leastWithoutClearance(found, options);
 }
 
 /// A pose has so little clearance that 0 is close enough a bound. Only contact is of interest then, which a search for the
 /// least clearance would look for in pieces as short as the resolution.
-std::optional<LeastClearance> Motion::leastWithoutRoom(LeastClearance found,
-                                                       const LeastClearanceOptions& options) {
+std::optional<LeastClearance> Motion::leastWithoutClearance(LeastClearance found,
+                                                            const LeastClearanceOptions& options) {
     SceneSweepOptions asked;
     asked.poseError = options.poseError;
     asked.leastInterval = options.resolution.least;
@@ -315,7 +315,7 @@ MotionSample Motion::atEnd(double wanted) {
     isOutside_ = true;
     const double jump = findEndJump();
     const MotionSample certain = lessened(end, jump);
-    const bool isCovered = certain.room.lower > end.room.lower / 2;
+    const bool isCovered = certain.clearance.lower > end.clearance.lower / 2;
     if (isCovered && (detail_ != ClearanceDetail::kWhole || jump <= slack_)) return certain;
     if (!isCovered) {
         // The end's clearance does not cover the jump between the two poses: solids may lie between them.
@@ -345,9 +345,9 @@ MotionSample Motion::look(const ob::State* state, double time, double wanted, bo
     ClearanceOptions options;
     options.isOutside = isOutside_;
     options.isRough = detail_ == ClearanceDetail::kRough;
-    options.leastSpare = 2 * (length() + slack_);
+    options.leastSlack = 2 * (length() + slack_);
     if (detail_ != ClearanceDetail::kWhole) {
-        options.leastSpare = wanted;
+        options.leastSlack = wanted;
         options.cap = wanted + floor_;
     }
     const bool isEnd = detail_ == ClearanceDetail::kWhole && (time == 0 || time == 1);
@@ -380,17 +380,18 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     sample.time = time;
     sample.lower = found.lower - floor_;
     sample.upper = found.upper - floor_;
-    sample.room = aboveFloor(found.always);
+    sample.clearance = aboveFloor(found.always);
     for (std::size_t i = 0; i < posed_.clearance().zoneCount(); ++i) {
-        const Bounds& spare = found.zones[i].spare;
+        const Bounds& slack = found.zones[i].slack;
         const std::optional<Bounds>& known = found.zones[i].clearance;
         const Bounds clearance = known ? aboveFloor(*known) : Bounds{-kUnbounded, kUnbounded};
-        sample.room.lower = std::min(sample.room.lower, std::max(clearance.lower, spare.lower));
-        sample.room.upper = std::min(sample.room.upper, std::max(clearance.upper, spare.upper));
+        sample.clearance.lower = std::min(sample.clearance.lower, std::max(clearance.lower, slack.lower));
+        sample.clearance.upper = std::min(sample.clearance.upper, std::max(clearance.upper, slack.upper));
     }
     const bool isValid = sample.lower > 0;
-    sample.room.lower = isValid ? std::max(sample.room.lower, std::numeric_limits<double>::denorm_min())
-                                : std::min(sample.room.lower, sample.lower);
+    sample.clearance.lower = isValid
+                                 ? std::max(sample.clearance.lower, std::numeric_limits<double>::denorm_min())
+                                 : std::min(sample.clearance.lower, sample.lower);
     return sample;
 }
 

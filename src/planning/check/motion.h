@@ -31,11 +31,11 @@ struct MotionSample : Bounds {
     /// How far any point of the part may move while the pose stays valid: distance - margin - floor or, where
     /// obstacles are ignored, how far they stay ignored. A lower bound of at most 0 means that the pose is
     /// invalid.
-    Bounds room;
+    Bounds clearance;
     bool isOutOfBounds = false;
 
-    MotionSample() { lower = room.lower = 0; }  ///< of a pose that no query was asked about
-    bool isValid() const { return room.lower > 0 && !isOutOfBounds; }
+    MotionSample() { lower = clearance.lower = 0; }  ///< of a pose that no query was asked about
+    bool isValid() const { return clearance.lower > 0 && !isOutOfBounds; }
 };
 
 /// The motion in exact arithmetic that OMPL's interpolation rounds: no point of the part moves further than
@@ -144,8 +144,8 @@ class Motion {
     double findEndJump() const;
     PartMotion sweptMotion();
     PartMotion boundedMotion();
-    std::optional<LeastClearance> leastWithoutRoom(LeastClearance found,
-                                                   const LeastClearanceOptions& options);
+    std::optional<LeastClearance> leastWithoutClearance(LeastClearance found,
+                                                        const LeastClearanceOptions& options);
     template <class IsTrue>
     TimeSpan change(TimeSpan span, double length, const IsTrue& isTrue);
     template <class IsIn>

@@ -5,8 +5,8 @@
 namespace clearway::planning {
 namespace {
 
-constexpr double kSpareShare = 0.1;    ///< of the spare at the ends, for planning
-constexpr double kFinestShare = 1e-3;  ///< of the default least interval
+constexpr double kClearanceShare = 0.1;  ///< of the clearance at the ends, for planning
+constexpr double kFinestShare = 1e-3;    ///< of the default least interval
 constexpr double kAuditShare = 1.0 / 16;
 
 constexpr double kUsualShare = 1e-2;
@@ -15,16 +15,16 @@ constexpr double kUsualDiagonal = 1e-3;  ///< of the part's diagonal
 
 }  // namespace
 
-MotionOptions planningMotions(const Scene& scene, double spareAtEnds) {
+MotionOptions planningMotions(const Scene& scene, double slackAtEnds) {
     const double usual = defaultLeastInterval(scene);
     MotionOptions options;
-    options.leastInterval = std::clamp(kSpareShare * spareAtEnds, kFinestShare * usual, usual);
+    options.leastInterval = std::clamp(kClearanceShare * slackAtEnds, kFinestShare * usual, usual);
     return options;
 }
 
-MotionOptions auditMotions(const Scene& scene, double spareAtEnds) {
+MotionOptions auditMotions(const Scene& scene, double slackAtEnds) {
     MotionOptions options;
-    options.leastInterval = kAuditShare * *planningMotions(scene, spareAtEnds).leastInterval;
+    options.leastInterval = kAuditShare * *planningMotions(scene, slackAtEnds).leastInterval;
     return options;
 }
 

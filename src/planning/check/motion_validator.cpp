@@ -78,7 +78,7 @@ MotionValidator::MotionValidator(const ob::SpaceInformationPtr& si, SharedScene 
     if (most < leastInterval_) {
         const double margin = scene().largestMargin();
         throw ArgumentError(
-            "the environment was built with a reach whose cap is " + shortNumber(most + margin) +
+            "the environment was built with a range whose cap is " + shortNumber(most + margin) +
             ", expected at least the margin and the least interval, " + shortNumber(margin + leastInterval_));
     }
 }

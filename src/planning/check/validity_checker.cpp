@@ -45,7 +45,7 @@ bool ValidityChecker::isValid(const ob::State* state, double& clearance) const {
     const Usable usable = findPose(state, X_environmentPart);
     clearance = 0;
     if (usable == Usable::kNoPose) return count(false, usable);
-    if (usable == Usable::kOutOfBounds && posed_->clearance().isOutOfReach(X_environmentPart)) {
+    if (usable == Usable::kOutOfBounds && posed_->clearance().isOutOfRange(X_environmentPart)) {
         clearance = 0 - scene().largestMargin();  // because a distance is at least 0
         return count(false, usable);
     }

@@ -11,7 +11,7 @@ namespace og = ompl::geometric;
 
 /// A state so much closer to the one before than the spacing is dropped when the motion past it is not much longer.
 constexpr double kClose = 0.4, kLongestJoined = 1.2;
-/// Calls of respace() for which a state in the middle of a tight motion stays. Later the motion may have got room.
+/// Calls of respace() for which a state in the middle of a tight motion stays. Later the motion may have more clearance.
 constexpr int kSpared = 24;
 constexpr double kShortestTight =
     0.1;  ///< of the clearance; a shorter motion does not come closer than its ends
@@ -35,7 +35,7 @@ void BandStates::copyTo(og::PathGeometric& path) const {
     for (const BandState& state : states_) path.append(state.get());
 }
 
-double BandStates::reachOf(const Twist& twist) const {
+double BandStates::rangeOf(const Twist& twist) const {
     return twist.head<3>().norm() + twist.tail<3>().norm() * moves_.radius() / moves_.lever();
 }
 
@@ -65,11 +65,11 @@ void BandStates::respace(double spacing, const std::optional<double>& floor) {
     spaced.push_back(std::move(states_.front()));
     for (std::size_t i = 1; i < states_.size(); ++i) {
         const ob::State *from = spaced.back().get(), *state = states_[i].get();
-        const double way = reachOf(moves_.between(from, state));
+        const double way = rangeOf(moves_.between(from, state));
         const bool isSpared = states_[i].spared > 0 && --states_[i].spared > 0;
         if (i + 1 < states_.size() && !isSpared && way < kClose * spacing) {
             const ob::State* next = states_[i + 1].get();
-            const double joined = reachOf(moves_.between(from, next));
+            const double joined = rangeOf(moves_.between(from, next));
             if (joined < kLongestJoined * spacing && (!floor || keeps(from, next, *floor))) continue;
         }
         if (way > spacing) divide(spaced, states_[i], way / spacing, floor);
@@ -96,7 +96,7 @@ void BandStates::divide(std::vector<BandState>& spaced, const BandState& next, d
 /// The part comes closer between the states than at them. Two clearances that overlap prove the contrary at once.
 bool BandStates::isTight(const BandState& from, const BandState& to, double clearance) const {
     if (!(from.clearance > clearance) || !(to.clearance > clearance)) return false;
-    const double way = reachOf(moves_.between(from.get(), to.get()));
+    const double way = rangeOf(moves_.between(from.get(), to.get()));
     if (way < kShortestTight * clearance || from.clearance + to.clearance - way >= 2 * clearance)
         return false;
     return !keeps(from.get(), to.get(), clearance);

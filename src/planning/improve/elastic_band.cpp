@@ -44,7 +44,7 @@ constexpr double kNextTry = 0.4;
 
 class Band {
   public:
-    Band(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options)
+    Band(og::PathGeometric& path, const MotionValidator& validator, const WideningOptions& options)
         : path_(path),
           si_(*path.getSpaceInformation()),
           validator_(validator),
@@ -221,7 +221,7 @@ class Band {
         for (int k = 0; k < (isCertified_ ? kMoveTries : 1); ++k, twist *= kNextTry) {
             moves_.move(states_[i].get(), twist, next.get());
             si_.enforceBounds(next.get());
-            const double clearance = std::max(0.0, states_[i].clearance - states_.reachOf(twist));
+            const double clearance = std::max(0.0, states_[i].clearance - states_.rangeOf(twist));
             if (isCertified_ && !staysCertified(i, next.get(), clearance)) continue;
             si_.copyState(states_[i].get(), next.get());
             states_[i].clearance = clearance;
@@ -231,7 +231,7 @@ class Band {
 
     bool staysCertified(std::size_t i, const ob::State* next, double clearance) const {
         const auto isSure = [&](const BandState& other) {
-            const double way = states_.reachOf(moves_.between(other.get(), next));
+            const double way = states_.rangeOf(moves_.between(other.get(), next));
             return 0.5 * (other.clearance + clearance - way) > kept_;
         };
         const BandState &before = states_[i - 1], &after = states_[i + 1];
@@ -242,7 +242,7 @@ class Band {
     og::PathGeometric& path_;
     const ob::SpaceInformation& si_;
     const MotionValidator& validator_;
-    const RoomOptions& options_;
+    const WideningOptions& options_;
     SceneClearance clearance_;
     PartMoves moves_;
     BandStates states_;
@@ -256,7 +256,7 @@ class Band {
 
 }  // namespace
 
-double makeRoom(og::PathGeometric& path, const MotionValidator& validator, const RoomOptions& options) {
+double widenPath(og::PathGeometric& path, const MotionValidator& validator, const WideningOptions& options) {
     requireNotNegative("the clearance kept", options.clearance);
     if (!(options.gain > 0)) {
         throw ArgumentError("the gain is " + shortNumber(options.gain) + ", expected a number > 0");

@@ -1,4 +1,4 @@
-// Gives a path room: a band of states is pushed off the planes of contact around it while it pulls itself smooth.
+// Widens a path: a band of states is pushed off the planes of contact around it while it pulls itself smooth.
 // Source of bands: Quinlan, Khatib, Elastic Bands: Connecting Path Planning and Control, 1993.
 #pragma once
 
@@ -23,7 +23,7 @@ constexpr int kMostIdleStages = 24;
 /// begins in contact begins slowly.
 constexpr double kClearanceBeforeBand = 1e-3;
 
-struct RoomOptions {
+struct WideningOptions {
     /// Clearance that all motions of the path keep, by MotionValidator::keepsClearance. Environment units, >= 0.
     double clearance = 0;
     /// More clearance than this is not looked for. Nor is more than the clearances of the two ends, or the diagonal of
@@ -48,7 +48,7 @@ struct RoomOptions {
 ///
 /// Throws ArgumentError when the space is neither OMPL's SE(3) nor SE(2), when options.clearance is negative or
 /// not finite, or options.gain is not above 0.
-double makeRoom(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
-                const RoomOptions& options);
+double widenPath(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
+                 const WideningOptions& options);
 
 }  // namespace clearway::planning

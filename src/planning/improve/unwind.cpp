@@ -162,7 +162,7 @@ double windingLength(const og::PathGeometric& path, double radius) {
     return winding;
 }
 
-bool isBetterWay(const WidePath& way, const WidePath& other, double radius) {
+bool isBetterPath(const WidePath& way, const WidePath& other, double radius) {
     if (way.clearance < kAsMuch * other.clearance) return false;
     if (other.clearance < kAsMuch * way.clearance) return true;
     return windingLength(*way.path, radius) < windingLength(*other.path, radius);

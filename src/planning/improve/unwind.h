@@ -22,7 +22,7 @@ struct WidePath {
 
 /// Whether a path is the better one of two: it keeps clearly more clearance (3 %), or about as much and winds less.
 /// radius: see windingLength.
-bool isBetterWay(const WidePath& way, const WidePath& other, double radius);
+bool isBetterPath(const WidePath& way, const WidePath& other, double radius);
 
 /// Replaces the rotations along stretches of the path by one turn from the stretch's first rotation to its last, where
 /// that saves turns and all new motions keep the floor (MotionValidator::keepsClearance). Positions stay. The stretches

@@ -96,7 +96,7 @@ class ObjectiveMotions {
         : posed_(si, std::move(scene), PosedScene::For::kMotions),
           leastInterval_(defaultLeastInterval(posed_.scene())) {
         if (mostClearance() > 0) return;
-        throw ArgumentError("an obstacle was built with a reach that ends " + shortNumber(mostClearance()) +
+        throw ArgumentError("an obstacle was built with a range that ends " + shortNumber(mostClearance()) +
                             " beyond its margin, expected more than 0");
     }
 

@@ -40,11 +40,11 @@ double leastOverSide(const ClosenessWeight& weight, double far, double near) {
 
 Part makePart(const MotionSample& from, const MotionSample& to, double displacement,
               const ClosenessWeight& weight) {
-    const double h = displacement, a = from.room.lower, b = to.room.lower;
+    const double h = displacement, a = from.clearance.lower, b = to.clearance.lower;
     const double deepest = std::min({0.5 * (a + b - h), a, b});
     const double perLength = (to.time - from.time) / h;
-    const double mostA = std::min(from.room.upper, to.room.upper + h),
-                 mostB = std::min(to.room.upper, from.room.upper + h);
+    const double mostA = std::min(from.clearance.upper, to.clearance.upper + h),
+                 mostB = std::min(to.clearance.upper, from.clearance.upper + h);
     const double highest = 0.5 * (mostA + mostB + h);
     const double high = perLength * (mostOverSide(weight, a, deepest) + mostOverSide(weight, b, deepest));
     const double low =
@@ -58,8 +58,8 @@ Part makePart(const MotionSample& from, const MotionSample& to, double displacem
 Part makeShortPart(const MotionSample& from, const MotionSample& to, double displacement,
                    const ClosenessWeight& weight) {
     const double step = to.time - from.time;
-    const double deepest = std::min(from.room.lower, to.room.lower) - displacement;
-    const double highest = std::min({from.room.upper, to.room.upper, weight.end}) + displacement;
+    const double deepest = std::min(from.clearance.lower, to.clearance.lower) - displacement;
+    const double highest = std::min({from.clearance.upper, to.clearance.upper, weight.end}) + displacement;
     return {from,
             to,
             displacement,

@@ -50,7 +50,7 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
                     const AuditOptions& options) try {
     if (path.empty()) throw ArgumentError("the path has no state, expected at least one");
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
-    requireReachOf(scene, bounds, finenessOf(problem, scene.part));
+    requireRangeOf(scene, bounds, finenessOf(problem, scene.part));
     requirePositions(path, scene, bounds);
     const auto si = std::make_shared<ob::SpaceInformation>(
         makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));
@@ -74,8 +74,8 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     check.offGoal = problem.outside
                         ? OutsideGoal(si, scene, *problem.outside, problem.start).distanceGoal(last)
                         : off(last, problem.goal);
-    const double spare = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
-    MotionOptions motions = auditMotions(scene, spare);
+    const double clearance = std::max(0.0, std::min(checker->clearance(first), checker->clearance(last)));
+    MotionOptions motions = auditMotions(scene, clearance);
     motions.isStopped = options.isStopped;
     check.audit = audit(states, MotionValidator(si, checker->shared(), motions), options);
     return check;

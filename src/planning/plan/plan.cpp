@@ -15,7 +15,7 @@
 #include "planning/plan/finish.h"
 #include "planning/plan/plan_setup.h"
 #include "planning/plan/problem_settings.h"
-#include "planning/plan/room.h"
+#include "planning/plan/widening.h"
 #include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
@@ -28,19 +28,19 @@ namespace og = ompl::geometric;
 /// The share of the time that planners get that would use all of it. The rest is for shortening.
 constexpr double kImprovingShare = 0.75;
 
-/// Slack of a reach's positions, as a share of the bounds' diagonal: OMPL accepts a state that is outside the
+/// Slack of a range's positions, as a share of the bounds' diagonal: OMPL accepts a state that is outside the
 /// bounds by rounding.
 constexpr double kBoundsSlack = 1e-9;
 
 /// Seconds that shortening gets at least; it gets as many as the planning took where that is more. In a scene
-/// with hardly any room shortening could go on without end.
+/// with hardly any clearance shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
-/// Seconds that making room gets: as many as planning took, within these, and within half of the time left. It gets up to
-/// kGrowing times as many, within kMostRoom, while the clearance still grows fast,
+/// Seconds that widening gets: as many as planning took, within these, and within half of the time left. It gets up to
+/// kGrowing times as many, within kMostWidening, while the clearance still grows fast,
 /// and a quarter more before a second way was widened.
-constexpr double kLeastRoom = 1, kMostRoom = 5, kGrowing = 3;
-constexpr double kRoomShare = 0.5;
+constexpr double kLeastWidening = 1, kMostWidening = 5, kGrowing = 3;
+constexpr double kWideningShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
 /// the same time, and the most and the least sweeps about the seconds above.
 constexpr std::uint64_t kIterationsPerSweep = 100, kLeastSweeps = 64, kMostSweeps = 320;
@@ -74,16 +74,17 @@ class Budget {
         return true;
     }
 
-    void beginRoom() {
+    void beginWidening() {
         if (!seconds_) return;
         const double planned = secondsSince(begin_);
         const double left = std::max(0.0, *seconds_ - planned);
-        const double room = std::clamp(planned, kLeastRoom, kMostRoom);
-        roomDueSeconds_ = planned + std::min(kRoomShare * left, room);
-        roomSeconds_ = planned + std::min(kRoomShare * left, std::min(kGrowing * room, kMostRoom));
+        const double seconds = std::clamp(planned, kLeastWidening, kMostWidening);
+        wideningDueSeconds_ = planned + std::min(kWideningShare * left, seconds);
+        wideningSeconds_ =
+            planned + std::min(kWideningShare * left, std::min(kGrowing * seconds, kMostWidening));
     }
 
-    std::optional<std::uint64_t> roomSweeps() const {
+    std::optional<std::uint64_t> wideningSweeps() const {
         if (!options_.iterations) return std::nullopt;
         const std::uint64_t spent = std::min<std::uint64_t>(asked_, *options_.iterations);
         return std::clamp(spent / kIterationsPerSweep, kLeastSweeps, kMostSweeps);
@@ -106,8 +107,8 @@ class Budget {
         return isEnded_ || isStopped() || isOver(planningSeconds_) || isReadingDue();
     }
     bool isStopped() const { return options_.isStopped && options_.isStopped(); }
-    bool isRoomDue() const { return isOver(roomDueSeconds_); }
-    bool isRoomOver() const { return isStopped() || isOver(roomSeconds_); }
+    bool isWideningDue() const { return isOver(wideningDueSeconds_); }
+    bool isWideningOver() const { return isStopped() || isOver(wideningSeconds_); }
     bool isOutOfTime() const { return isStopped() || isOver(seconds_); }
     bool spendIteration() {
         if (isPlanningOver()) return true;
@@ -133,7 +134,7 @@ class Budget {
     const Clock::time_point begin_ = Clock::now();
     const std::optional<double> limit_;
     const MotionValidator* motions_ = nullptr;
-    std::optional<double> seconds_, planningSeconds_, roomDueSeconds_, roomSeconds_;
+    std::optional<double> seconds_, planningSeconds_, wideningDueSeconds_, wideningSeconds_;
     std::atomic<std::uint64_t> asked_{0};
     std::atomic<bool> isEnded_{false};
 };
@@ -143,31 +144,31 @@ void describe(const Problem& problem, const og::PathGeometric& path, PlanReport&
         report.path.push_back(fromOmpl(problem.space, path.getState(i)));
     }
     report.length = report.audit.length;
-    report.turned = report.audit.turned;
+    report.rotation = report.audit.rotation;
 }
 
 void tellPhase(PlanPhase phase, const PlanOptions& options) {
     if (options.onPhase) options.onPhase(phase);
 }
 
-bool wantsRoom(const PlanOptions& options, const PlanReport& report) {
+bool wantsWidening(const PlanOptions& options, const PlanReport& report) {
     return report.objective.empty() && !options.quick;
 }
 
-/// Widens the path. Returns the clearance that its motions keep; 0 when no room was made.
+/// Widens the path. Returns the clearance that its motions keep; 0 when it was not widened.
 double widen(const PlanSetup& setup, Budget& budget, og::PathGeometric& path, PlanReport& report) {
     const Clock::time_point begin = Clock::now();
-    budget.beginRoom();
-    RoomLimits limits;
-    limits.sweeps = budget.roomSweeps();
+    budget.beginWidening();
+    WideningLimits limits;
+    limits.sweeps = budget.wideningSweeps();
     limits.planningSeconds = report.planningSeconds;
     limits.range = report.range;
     limits.threads = report.threads;
-    limits.isDue = [&] { return budget.isRoomDue(); };
-    limits.isSpent = [&] { return budget.isRoomOver(); };
-    report.room = makeRoom(setup, path, limits);
-    report.room->seconds = secondsSince(begin);
-    return report.room->after;
+    limits.isDue = [&] { return budget.isWideningDue(); };
+    limits.isSpent = [&] { return budget.isWideningOver(); };
+    report.widening = widenPath(setup, path, limits);
+    report.widening->seconds = secondsSince(begin);
+    return report.widening->after;
 }
 
 /// Takes the audited path into the report, unless it is not valid.
@@ -188,15 +189,16 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
-    const bool isRoomWanted = wantsRoom(options, report) && path.getStateCount() > 1;
-    if (isRoomWanted) tellPhase(PlanPhase::kMakingRoom, options);
-    const double kept = isRoomWanted ? widen(setup, budget, path, report) : 0;
+    const bool isWideningWanted = wantsWidening(options, report) && path.getStateCount() > 1;
+    if (isWideningWanted) tellPhase(PlanPhase::kWidening, options);
+    const double kept = isWideningWanted ? widen(setup, budget, path, report) : 0;
     tellPhase(PlanPhase::kFinishing, options);
     budget.beginFinishing();
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
     if (cutOutside(setup, path)) report.audit = audit(path, *setup.auditor);
-    if (std::isinf(report.audit.lowerClearance)) report.room.reset();  // there is nothing to keep clear of
+    if (std::isinf(report.audit.lowerClearance))
+        report.widening.reset();  // there is nothing to keep clear of
     take(setup, problem, path, report);
 }
 
@@ -209,7 +211,7 @@ bool joinOrTellWhy(const PlanSetup& setup, const Problem& problem, const PlanOpt
     if (!options.iterations) asking.seconds = kMostAsking;
     asking.seed = options.seed;
     asking.isStopped = [&] { return budget.isAskingOver(); };
-    const OmplMessages unheard;  // some planners log that they tell only a part of their states
+    const OmplMessages unobserved;  // some planners log that they tell only a part of their states
     WhyNoPath why = whyNoPath({setup.planners, setup.definition, setup.auditor}, problem, asking);
     if (why.isJoined) {
         const auto path = std::make_shared<og::PathGeometric>(setup.si);
@@ -304,8 +306,8 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     throw OmplRefusal(refusal);
 }
 
-std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& options, const Model& part,
-                                   const Box& environmentBox) {
+std::optional<QueryRange> planningRange(const Problem& problem, const PlanOptions& options, const Model& part,
+                                        const Box& environmentBox) {
     if (mayUseSampler(problem, "max_clearance")) return std::nullopt;
     const Box bounds = boundsOf(problem, environmentBox, part.box());
     const Vector3 slack = Vector3::Constant(kBoundsSlack * bounds.diagonal().norm());
@@ -315,7 +317,7 @@ std::optional<Reach> planningReach(const Problem& problem, const PlanOptions& op
     if (std::isinf(clearance)) return std::nullopt;
     const double told = std::max(finenessOf(problem, part), clearance);
     const double cap = largestMargin(problem) + told + 2 * radius;
-    return Reach{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
+    return QueryRange{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }
 
 }  // namespace clearway::planning

@@ -81,7 +81,7 @@ void requireOptions(const Problem& problem, const PlanOptions& options) {
 /// OMPL warns about a second call in a process, because objects made before it go on with their old seeds.
 /// Ours are made after it, so that the warning is dropped.
 void setSeed(std::uint32_t seed) {
-    const OmplMessages unheard;
+    const OmplMessages unobserved;
     ompl::RNG::setSeed(seed);
 }
 
@@ -141,13 +141,14 @@ void setLengths(PlanReport& report, const Problem& problem, const Scene& scene, 
     report.floor = options.floor.value_or(kFloorPerDiagonal * diagonal);
 }
 
-void useCertified(PlanSetup& setup, double spare, const std::function<bool()>& isOver, PlanReport& report) {
+void useCertified(PlanSetup& setup, double clearance, const std::function<bool()>& isOver,
+                  PlanReport& report) {
     const Scene& scene = setup.checker->scene();
-    MotionOptions motions = planningMotions(scene, spare);
+    MotionOptions motions = planningMotions(scene, clearance);
     motions.isStopped = isOver;
-    if (spare < *motions.leastInterval) {
+    if (clearance < *motions.leastInterval) {
         std::ostringstream warning;
-        warning << "start or goal have only " << withUnit(roundedNumber(spare), scene.unit)
+        warning << "start or goal have only " << withUnit(roundedNumber(clearance), scene.unit)
                 << " to spare: motions next to them may be too close to be certified";
         report.warnings.push_back(warning.str());
     }
@@ -237,26 +238,27 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
     PlanSetup setup;
     const double turnWeight = options.omplWeights ? 1.0 : scene.part.radiusAboutOrigin();
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
-    requireReachOf(scene, bounds, finenessOf(problem, scene.part));
+    requireRangeOf(scene, bounds, finenessOf(problem, scene.part));
     setup.si = std::make_shared<ob::SpaceInformation>(makeSpace(problem.space, bounds, turnWeight));
     setup.checker = std::make_shared<ValidityChecker>(setup.si, scene);
-    const auto spare = [&](const PartState& state, ProblemEnd end) {
+    const auto clearanceAt = [&](const PartState& state, ProblemEnd end) {
         const auto omplState = toOmpl(setup.si->getStateSpace(), problem.space, state);
         return requireValid(problem, *setup.checker, omplState.get(), end);
     };
-    const double startSpare =
-        spare(problem.start, ProblemEnd::kStart);  // the start is refused before the goal
-    const double leastSpare =
-        problem.outside ? startSpare : std::min(startSpare, spare(problem.goal, ProblemEnd::kGoal));
-    useCertified(setup, leastSpare, isOver, report);
+    const double startClearance =
+        clearanceAt(problem.start, ProblemEnd::kStart);  // the start is refused before the goal
+    const double leastAtEnds = problem.outside
+                                   ? startClearance
+                                   : std::min(startClearance, clearanceAt(problem.goal, ProblemEnd::kGoal));
+    useCertified(setup, leastAtEnds, isOver, report);
     setup.floor = report.floor;
     // What planners asked before does not change an audit, to the last digit.
-    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastSpare));
+    setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastAtEnds));
     setup.si->setStateValidityChecker(setup.checker);
     setup.definition = defineProblem(setup, problem, scene, report.warnings);
     if (objective) {
         setup.definition->setOptimizationObjective(
-            makePlanObjective(*setup.definition, setup.checker->shared(), *objective, problem, leastSpare));
+            makePlanObjective(*setup.definition, setup.checker->shared(), *objective, problem, leastAtEnds));
     }
     if (beforePlanners) beforePlanners(setup);
     applySettings(*setup.si, problem, report.warnings);

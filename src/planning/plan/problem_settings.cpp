@@ -23,7 +23,7 @@
 #include "core/text.h"
 #include "planning/check/motion_resolution.h"
 #include "problem/config.h"
-#include "problem/start_cures.h"
+#include "problem/start_remedies.h"
 
 namespace clearway::planning {
 namespace {
@@ -213,18 +213,18 @@ double finenessOf(const Problem& problem, const Model& part) {
     return problem.fineness.value_or(kFinenessPerDiagonal * part.box().diagonal().norm());
 }
 
-void requireReachOf(const Scene& scene, const Box& bounds, double fineness) {
+void requireRangeOf(const Scene& scene, const Box& bounds, double fineness) {
     for (const Obstacle& obstacle : scene.obstacles) {
-        if (!obstacle.model.reach()) continue;
-        const Reach& reach = *obstacle.model.reach();
-        if (!reach.positions.contains(bounds)) {
+        if (!obstacle.model.range()) continue;
+        const QueryRange& range = *obstacle.model.range();
+        if (!range.positions.contains(bounds)) {
             throw ArgumentError(
-                "the environment was built with a reach that leaves out positions within the bounds, "
+                "the environment was built with a range that leaves out positions within the bounds, "
                 "expected one that holds them all");
         }
-        if (!(reach.cap >= obstacle.margin + fineness)) {
-            throw ArgumentError("the environment was built with a reach whose cap is " +
-                                withUnit(shortNumber(reach.cap), scene.unit) +
+        if (!(range.cap >= obstacle.margin + fineness)) {
+            throw ArgumentError("the environment was built with a range whose cap is " +
+                                withUnit(shortNumber(range.cap), scene.unit) +
                                 ", expected at least the margin and the fineness, " +
                                 withUnit(shortNumber(obstacle.margin + fineness), scene.unit));
         }

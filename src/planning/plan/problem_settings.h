@@ -53,9 +53,9 @@ double requireValid(const Problem& problem, const ValidityChecker& checker, cons
 /// The problem's fineness, else 1/500 of the part's diagonal.
 double finenessOf(const Problem& problem, const Model& part);
 
-/// Throws ArgumentError when the environment was built with a reach that lacks positions within the
+/// Throws ArgumentError when the environment was built with a range that lacks positions within the
 /// bounds, or ends before margin + fineness. Queries themselves refuse a part whose radius is too large.
-void requireReachOf(const Scene& scene, const Box& bounds, double fineness);
+void requireRangeOf(const Scene& scene, const Box& bounds, double fineness);
 
 /// The objective of the options, else of the problem. Nothing when the first path will do: where neither asks
 /// for more than length without a threshold, or the problem names an unknown objective. Throws

@@ -65,7 +65,7 @@ bool Trials::isOver() const {
 std::optional<TrialPath> Trials::run(const Scene& scene) {
     if (isOver()) return std::nullopt;
     ++count_;
-    const OmplMessages unheard;
+    const OmplMessages unobserved;
     const Clock::time_point begin = Clock::now();
     std::atomic<std::uint64_t> asked{0};
     std::atomic<bool> isFound{false};

@@ -48,7 +48,7 @@ class Judge {
 
 /// A planner in an empty space: it has its parameters.
 ob::PlannerPtr anyPlanner(const std::string& name) {
-    const OmplMessages unheard;
+    const OmplMessages unobserved;
     return makePlanner(std::make_shared<ob::SpaceInformation>(std::make_shared<ob::SE3StateSpace>()), name);
 }
 

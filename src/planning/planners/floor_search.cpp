@@ -15,8 +15,8 @@
 #include "core/clock.h"
 #include "planning/check/floor_validator.h"
 #include "planning/improve/elastic_band.h"
-#include "planning/improve/room_both_ways.h"
-#include "planning/planners/other_ways.h"
+#include "planning/improve/widen_both_ways.h"
+#include "planning/planners/other_paths.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -27,13 +27,13 @@ namespace og = ompl::geometric;
 
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
-constexpr double kShortWaysFloors[] = {0.5, 0.75, 0.9};
+constexpr double kShortPathsFloors[] = {0.5, 0.75, 0.9};
 /// Some seeks of the first ways keep to this share of the best clearance: bands widen some ways further than others.
 constexpr double kLowFloor = 0.5;
 constexpr double kLeastShare = 1.0 / 32;  ///< below it the shares begin anew
 constexpr double kPatience = 4;           ///< times the duration of the seek that found the last path
 constexpr double kGrowth = 1.5;           ///< of patience, when a seek finds nothing
-constexpr int kFirstIdleStages = 2;       ///< of a path's first band: another way may have more room
+constexpr int kFirstIdleStages = 2;       ///< of a path's first band: another path may have more clearance
 constexpr double kBandGainLoss = 0.5;     ///< from one band of a path to the next
 constexpr double kLeastBandGain =
     1e-3;  ///< the smallest steps; after them a band begins with large ones again
@@ -46,7 +46,7 @@ constexpr double kSurelyKept =
 
 /// RRTConnect and SlidingRRTConnect take turns: one of four seeks is beside the narrow places, so their numbers are apart by more.
 constexpr int kTurnsBeside = 4;
-constexpr int kFirstWays = 3;  ///< that are widened before ways that wind less are sought
+constexpr int kFirstPaths = 3;  ///< that are widened before ways that wind less are sought
 
 /// A planner that draws its samples from a given sampler.
 template <class Planner>
@@ -65,7 +65,7 @@ struct FloorSearch::Job {
     double gain = 0;            ///< of a band that goes on
     double floor = 0;           ///< of a seek
     double seconds = 0;         ///< limit of a seek, of a band that goes on, or of shortening; 0: none
-    bool isShortWay = false;    ///< to be sought or widened: it counts where it winds less than the best path
+    bool isShortPath = false;   ///< to be sought or widened: it counts where it winds less than the best path
     bool isLow = false;         ///< to be sought by less clearance than the best path keeps
     int number = 0, known = 0;  ///< of a seek, and of the paths found when it began
 };
@@ -170,12 +170,12 @@ void FloorSearch::add(const WidePath& path, double seconds) {
     share_ = kFirstShare;
 }
 
-void FloorSearch::widenLater(const WidePath& path, double seconds, bool isShortWay) {
+void FloorSearch::widenLater(const WidePath& path, double seconds, bool isShortPath) {
     Job job;
     job.kind = Job::Kind::kWiden;
     job.path = path;
     job.seconds = std::max(kLeastShortening, kShorteningShare * seconds);
-    job.isShortWay = isShortWay;
+    job.isShortPath = isShortPath;
     waiting_.push_back(job);
 }
 
@@ -183,8 +183,8 @@ double FloorSearch::radius() const {
     return 0.5 * validator_->scene().part.box().diagonal().norm();
 }
 
-const WidePath& FloorSearch::bestWay() const {
-    return shortWay_ && isBetterWay(*shortWay_, best_, radius()) ? *shortWay_ : best_;
+const WidePath& FloorSearch::bestPath() const {
+    return shortPath_ && isBetterPath(*shortPath_, best_, radius()) ? *shortPath_ : best_;
 }
 
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
@@ -210,7 +210,7 @@ bool FloorSearch::hasWidenedSeveral() const {
 }
 
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
-    const std::vector<ob::State*>& states = bestWay().path->getStates();
+    const std::vector<ob::State*>& states = bestPath().path->getStates();
     data.addStartVertex(ob::PlannerDataVertex(states.front()));
     data.addGoalVertex(ob::PlannerDataVertex(states.back()));
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -235,7 +235,7 @@ void FloorSearch::work() {
         const bool isSeek = job.kind == Job::Kind::kSeek;
         isSeek ? seek(job) : widen(job);
         const std::lock_guard<std::mutex> lock(mutex_);
-        Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
+        Seeks& seeks = job.isShortPath ? shortSeeks_ : wideSeeks_;
         (isSeek ? seeks.spent : widened_) += threadSeconds() - begin;
         widening_ -= !isSeek;
     }
@@ -268,15 +268,15 @@ FloorSearch::Job FloorSearch::seekingJob() {
     job.known = paths_;
     // Wider ways come first, since the clearance of a single one says little. By turns they are sought anywhere, beside the
     // narrow places, anywhere, and anywhere with a low floor.
-    const bool isAmongFirst = ways_ < kFirstWays;
-    job.isShortWay = !isAmongFirst && options_.wantsShortWays && shortSeeks_.spent < wideSeeks_.spent;
-    Seeks& seeks = job.isShortWay ? shortSeeks_ : wideSeeks_;
+    const bool isAmongFirst = ways_ < kFirstPaths;
+    job.isShortPath = !isAmongFirst && options_.wantsShortPaths && shortSeeks_.spent < wideSeeks_.spent;
+    Seeks& seeks = job.isShortPath ? shortSeeks_ : wideSeeks_;
     job.number = seeks.begun++;
     job.isLow = isAmongFirst && job.number % 4 == 3;
     if (isAmongFirst && job.number % 4 == 1) job.path = best_;
     job.seconds = seeks.patience;
-    if (job.isShortWay) {
-        job.floor = kShortWaysFloors[job.number % std::size(kShortWaysFloors)] * best_.clearance;
+    if (job.isShortPath) {
+        job.floor = kShortPathsFloors[job.number % std::size(kShortPathsFloors)] * best_.clearance;
     } else if (job.isLow) {
         job.floor = kLowFloor * best_.clearance;
     } else {
@@ -287,7 +287,7 @@ FloorSearch::Job FloorSearch::seekingJob() {
 
 void FloorSearch::widen(const Job& job) {
     const double begin = threadSeconds();
-    RoomOptions options;
+    WideningOptions options;
     options.enough = options_.enough;
     options.clearance = job.path.clearance;
     const double seconds = job.kind == Job::Kind::kWidenOn ? job.seconds : 0;
@@ -304,22 +304,23 @@ void FloorSearch::widen(const Job& job) {
         options.idleStages = kFirstIdleStages;
         endFurtherOut(path, definition_->getGoal(), validator_->scene(), options_.most);
         options.clearance = shortenFirst(job, path);
-        if (job.isShortWay && isTooLong(path)) return;
+        if (job.isShortPath && isTooLong(path)) return;
     }
     // A path that has enough needs no band. Where no obstacle counts, any path has: its clearance is infinite.
     const bool isEnough = options.clearance >= options.enough;
-    const double clearance = isEnough ? options.clearance : makeRoom(path, *validator_, options);
+    const double clearance = isEnough ? options.clearance : widenPath(path, *validator_, options);
     const WidePath widened{std::make_shared<og::PathGeometric>(path), clearance};
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter(widened, kFirstBandGain);
     ways_ += job.kind == Job::Kind::kWiden;
-    if (job.isShortWay && (!shortWay_ || isBetterWay(widened, *shortWay_, radius()))) shortWay_ = widened;
+    if (job.isShortPath && (!shortPath_ || isBetterPath(widened, *shortPath_, radius())))
+        shortPath_ = widened;
     if (gain_ == 0) gain_ = kFirstBandGain;
 }
 
 bool FloorSearch::isTooLong(const og::PathGeometric& path) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return windingLength(path, radius()) >= windingLength(*bestWay().path, radius());
+    return windingLength(path, radius()) >= windingLength(*bestPath().path, radius());
 }
 
 /// A band of few states is quicker. Returns the clearance that the path keeps.
@@ -343,24 +344,24 @@ void FloorSearch::seek(const Job& job) {
     const double begin = threadSeconds();
     const auto isPassed = [&] {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return !job.isShortWay && !job.isLow && (paths_ > job.known || best_.clearance > job.floor);
+        return !job.isShortPath && !job.isLow && (paths_ > job.known || best_.clearance > job.floor);
     };
     const ob::PlannerTerminationCondition isOver([&] {
         return isSpent_() || (job.seconds > 0 && threadSeconds() - begin > job.seconds) || isPassed();
     });
-    const OmplMessages unheard;  // some floors leave no room at the goal, which OMPL would call invalid
+    const OmplMessages unobserved;  // some floors leave no room at the goal, which OMPL would call invalid
     Seeker seeker(*this, job);
     const std::shared_ptr<og::PathGeometric> states = seeker.solve(isOver);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (states) {
         WidePath found{std::make_shared<og::PathGeometric>(si_), job.floor};
         for (const ob::State* state : states->getStates()) found.path->append(state);
-        if (job.isShortWay || job.isLow) {
-            return widenLater(found, threadSeconds() - begin, job.isShortWay);
+        if (job.isShortPath || job.isLow) {
+            return widenLater(found, threadSeconds() - begin, job.isShortPath);
         }
         ++paths_;
         add(found, threadSeconds() - begin);
-    } else if (job.isShortWay) {
+    } else if (job.isShortPath) {
         shortSeeks_.patience *= kGrowth;
     } else if (job.isLow) {
         wideSeeks_.patience *= kGrowth;

@@ -30,7 +30,7 @@ struct FloorSearchOptions {
     std::function<bool(const WidePath&)> isEnough;  ///< may end the search before; null: never
     /// Once a few paths have been widened, half of the planners' time goes to paths that wind less than the best one,
     /// instead of to wider ones.
-    bool wantsShortWays = false;
+    bool wantsShortPaths = false;
 };
 
 class FloorSearch {
@@ -53,8 +53,8 @@ class FloorSearch {
     /// Goes on until isSpent returns true or the best path keeps enough. It is called often, from several threads.
     void run(const FloorSearchOptions& options, const std::function<bool()>& isSpent);
 
-    /// The path of most clearance, or one that keeps a little less where it winds less: see isBetterWay().
-    const WidePath& bestWay() const;
+    /// The path of most clearance, or one that keeps a little less where it winds less: see isBetterPath().
+    const WidePath& bestPath() const;
 
     /// How much clearance the widest path keeps. May be called while run() goes on.
     double clearance() const;
@@ -82,7 +82,7 @@ class FloorSearch {
     void widen(const Job& job);
     double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
     void seek(const Job& job);
-    void widenLater(const WidePath& path, double seconds, bool isShortWay);
+    void widenLater(const WidePath& path, double seconds, bool isShortPath);
     bool isEnough(const WidePath& path) const;
     void takeIfBetter(const WidePath& path, double gain);
     bool isTooLong(const ompl::geometric::PathGeometric& path) const;
@@ -98,12 +98,12 @@ class FloorSearch {
     mutable std::mutex mutex_;  ///< of what follows
     std::vector<Job> waiting_;  ///< paths to widen, the next one last
     WidePath best_;
-    bool isEnough_ = false;             ///< the best path keeps enough
-    std::optional<WidePath> shortWay_;  ///< the best of the short ways, by isBetterWay
-    double gain_ = 0;                   ///< of the best path's next band; 0: its first one is not over
-    int widening_ = 0;                  ///< threads
-    int ways_ = 0;                      ///< widened, ever
-    int paths_ = 0;                     ///< that seekers found, ever
+    bool isEnough_ = false;              ///< the best path keeps enough
+    std::optional<WidePath> shortPath_;  ///< the best of the short ways, by isBetterPath
+    double gain_ = 0;                    ///< of the best path's next band; 0: its first one is not over
+    int widening_ = 0;                   ///< threads
+    int ways_ = 0;                       ///< widened, ever
+    int paths_ = 0;                      ///< that seekers found, ever
     Seeks wideSeeks_, shortSeeks_;
     double share_ = kFirstShare;  ///< of the difference, for the next floor
     double widened_ = 0;          ///< seconds spent

@@ -80,8 +80,8 @@ void RisingFloor::startFrom(const og::PathGeometric& path, const First& first) {
     first_ = {{states, first.clearance}, first.seconds};
 }
 
-/// No path can have more clearance than its ends, nor more than the environment's reach. A goal of many states is taken to have
-/// one with as much as the start. Where no obstacle is in reach, any length is as good.
+/// No path can have more clearance than its ends, nor more than the environment's range. A goal of many states is taken to have
+/// one with as much as the start. Where no obstacle is in range, any length is as good.
 double RisingFloor::mostClearance() const {
     const MinClearanceObjective objective(si_, validator_->shared());
     double most = -std::numeric_limits<double>::infinity();
@@ -99,7 +99,7 @@ FloorSearchOptions RisingFloor::searchOptions() const {
     FloorSearchOptions options;
     options.range = range_;
     options.threads = threads_;
-    options.wantsShortWays = wantsShortWays_;
+    options.wantsShortPaths = wantsShortPaths_;
     options.most = mostClearance();
     options.enough = kAsGoodAsMost * options.most;
     const auto objective =
@@ -197,7 +197,7 @@ ob::PlannerStatus RisingFloor::solve(const ob::PlannerTerminationCondition& isSp
     for (const ob::PlannerSolution& other : earlier) {
         if (other.plannerName_ != getName()) pdef_->addSolutionPath(other);
     }
-    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestWay().path));
+    ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(*search_->bestPath().path));
     solution.setPlannerName(getName());
     pdef_->addSolutionPath(solution);
     return ob::PlannerStatus::EXACT_SOLUTION;

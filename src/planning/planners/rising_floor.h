@@ -1,5 +1,5 @@
 // A planner for least clearance: it plans for a path, then for a path that keeps more clearance, and so on.
-// Motions that keep a floor are found as quickly as others until the floor leaves little room. Planners that
+// Motions that keep a floor are found as quickly as others until the floor leaves little clearance. Planners that
 // ask an objective for the cost of each motion see far fewer motions in the same time.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace clearway::planning {
 
-/// First a PlannerTeam looks for a path. The path is shortened, and an elastic band widens it (see makeRoom). The band never changes
+/// First a PlannerTeam looks for a path. The path is shortened, and an elastic band widens it (see widenPath). The band never changes
 /// the way around obstacles, so other threads look for other ways meanwhile (see FloorSearch): for paths that keep a floor, a third
 /// of the way from the clearance of the best path to the most that start and goal leave. When such a search finds nothing in the
 /// time of some earlier ones, the next floor is half as far up, and so on. Some of the first few ways are sought beside the
@@ -52,8 +52,8 @@ class RisingFloor : public ompl::base::Planner {
     bool hasWidenedSeveral() const;
 
     /// After a few ways looks for ways that wind less, too. Ends with one that keeps nearly as much clearance as the best path:
-    /// see FloorSearch::bestWay.
-    void lookForShortWays() { wantsShortWays_ = true; }
+    /// see FloorSearch::bestPath.
+    void lookForShortPaths() { wantsShortPaths_ = true; }
 
     void setRange(double range) { range_ = range; }  ///< longest edge of the trees; 0: OMPL's
     double getRange() const { return range_; }
@@ -69,7 +69,7 @@ class RisingFloor : public ompl::base::Planner {
     ompl::base::PlannerStatus findFirst(const ompl::base::PlannerTerminationCondition& isSpent);
 
     double range_ = 0;
-    bool wantsShortWays_ = false;
+    bool wantsShortPaths_ = false;
     unsigned int threads_ = 2;
     std::shared_ptr<const MotionValidator> validator_;
     ompl::base::StateValidityCheckerPtr

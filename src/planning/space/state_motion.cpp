@@ -69,7 +69,7 @@ StateMotion steadyMotion(const ob::StateSpacePtr& space, const MotionOf& motionO
 }  // namespace
 
 StateMotion stateMotion(const ob::StateSpacePtr& space, const Model& part) {
-    const PartReach reach(part);
+    const PartExtent reach(part);
     const ob::StateSpace& omplSpace = *space;
     if (isOmplSe3(omplSpace)) {
         return steadyMotion(space,

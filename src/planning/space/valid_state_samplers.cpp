@@ -55,17 +55,17 @@ WitnessSampler::~WitnessSampler() {
     si_->freeState(other_);
 }
 
-WitnessSampler::Room WitnessSampler::roomAt(const ob::State* state) const {
-    Room room;
-    room.isValid = checker_->isValid(state, room.clearance);
-    if (!room.isValid) return room;
+WitnessSampler::StateClearance WitnessSampler::clearanceAt(const ob::State* state) const {
+    StateClearance found;
+    found.isValid = checker_->isValid(state, found.clearance);
+    if (!found.isValid) return found;
     const SceneDistance nearest = checker_->distance(state);
-    if (!nearest.witness) return room;
+    if (!nearest.witness) return found;
     Vector3 away = nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment;
     if (isPlanar_) away.z() = 0;
     const double length = away.norm();
-    if (length > 0) room.away = away / length;
-    return room;
+    if (length > 0) found.away = away / length;
+    return found;
 }
 
 void WitnessSampler::translate(ob::State* state, const Vector3& by) const {
@@ -128,17 +128,17 @@ bool ContactNormalSampler::settle(ob::State* state) {
 }
 
 bool ContactNormalSampler::pushAway(ob::State* state) const {
-    Room room = roomAt(state);
-    for (int i = 0; i < kMoves && room.isValid && room.clearance < wanted_; ++i) {
-        if (room.away.isZero()) break;
+    StateClearance found = clearanceAt(state);
+    for (int i = 0; i < kMoves && found.isValid && found.clearance < wanted_; ++i) {
+        if (found.away.isZero()) break;
         si_->copyState(other_, state);
-        translate(other_, kMoveMore * (wanted_ - room.clearance) * room.away);
-        const Room moved = roomAt(other_);
-        if (!moved.isValid || moved.clearance <= room.clearance) break;  // the part can get no farther away
+        translate(other_, kMoveMore * (wanted_ - found.clearance) * found.away);
+        const StateClearance moved = clearanceAt(other_);
+        if (!moved.isValid || moved.clearance <= found.clearance) break;  // the part can get no farther away
         si_->copyState(state, other_);
-        room = moved;
+        found = moved;
     }
-    return room.isValid;
+    return found.isValid;
 }
 
 NarrowGapSampler::NarrowGapSampler(const ob::SpaceInformation* si)
@@ -175,18 +175,18 @@ bool NarrowGapSampler::findGap(ob::State* state) {
 
 /// Moves across the gap, away from the nearest obstacle, until another obstacle is nearer or in the way.
 bool NarrowGapSampler::centre(ob::State* state) const {
-    const Room begin = roomAt(state);
+    const StateClearance begin = clearanceAt(state);
     if (!begin.isValid || begin.clearance > 0.5 * gap_ || begin.away.isZero()) return false;
     double width = 0;
-    Room room = begin;
+    StateClearance found = begin;
     for (int i = 0; i < kMostGapSteps; ++i) {
-        width += std::max(kStepShare * room.clearance, kLeastGapStep * gap_);
+        width += std::max(kStepShare * found.clearance, kLeastGapStep * gap_);
         if (width > gap_) return false;
         si_->copyState(other_, state);
         translate(other_, width * begin.away);
         if (!si_->satisfiesBounds(other_)) return false;  // the bounds are no obstacle
-        room = roomAt(other_);
-        if (!room.isValid || room.away.dot(begin.away) <= kOpposite) {
+        found = clearanceAt(other_);
+        if (!found.isValid || found.away.dot(begin.away) <= kOpposite) {
             balance(state, begin.away, width);
             return checker_->clearance(state) <= 0.5 * gap_;
         }
@@ -202,8 +202,8 @@ void NarrowGapSampler::balance(ob::State* state, const Vector3& away, double wid
         const double middle = 0.5 * (near + far);
         si_->copyState(other_, state);
         translate(other_, middle * away);
-        const Room room = roomAt(other_);
-        const bool isFarNearer = !room.isValid || room.away.dot(away) < 0;
+        const StateClearance found = clearanceAt(other_);
+        const bool isFarNearer = !found.isValid || found.away.dot(away) < 0;
         (isFarNearer ? far : near) = middle;
     }
     // The state at every value that `near` took was valid.

@@ -86,7 +86,7 @@ void printEnds(const Problem& problem, const planning::PathCheck& check, bool is
 double validShare(const Scene& scene, const planning::PathAudit& audit) {
     double valid = 0, all = 0;
     for (const planning::SegmentAudit& segment : audit.segments) {
-        const double length = segment.length + segment.turned * scene.part.radiusAboutOrigin();
+        const double length = segment.length + segment.rotation * scene.part.radiusAboutOrigin();
         all += length;
         valid += length * (segment.isValid() ? 1 : segment.motion.certifiedTime);
     }
@@ -100,7 +100,7 @@ void tellCheck(const Problem& problem, const Scene& scene, const planning::PathC
     const double share = validShare(scene, audit);
     tellScene(scene);
     printRows({{"length", shownLength(audit.length)},
-               {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
+               {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
                {"queries", std::to_string(audit.queries)}});
     printAudit(audit, scene);
     facts()["audit"] = toJson(audit);
@@ -127,7 +127,7 @@ int check(const Arguments& arguments) {
     Problem problem = options.problem.read();
     requireFiles(options, problem);
     const std::vector<PartState> path = readPath(options.path, problem.space);
-    for (const PartState& state : path) problem.knownWay.extend(state.position);
+    for (const PartState& state : path) problem.knownPath.extend(state.position);
     const Scene scene = options.trees.load(problem);
     const std::string tooFine = whySweptIsTooFine(options.outputs, scene, path);
     if (!tooFine.empty()) throw std::invalid_argument(tooFine);

@@ -164,7 +164,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     std::cout << "\nEnvironment\n";
     describeMesh("environment", environment,
                  problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree,
-                 planning::planningReach(problem, {}, partModel, boundingBox(environment)));
+                 planning::planningRange(problem, {}, partModel, boundingBox(environment)));
 }
 
 double liftTolerance(const Problem& problem, double overlap) {

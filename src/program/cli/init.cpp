@@ -16,7 +16,7 @@
 #include "mesh/components.h"
 #include "mesh/topology.h"
 #include "problem/config.h"
-#include "problem/start_cures.h"
+#include "problem/start_remedies.h"
 #include "program/cli/enclosure.h"
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"
@@ -146,10 +146,10 @@ struct Seen {
     std::string part, environment;  ///< what they hold
     Box bounds;
     std::vector<std::string> touched;
-    std::vector<StartCure> cures;    ///< of what is touched
-    std::optional<FarSide> farSide;  ///< of the surroundings, when the part starts outside of them
-    std::string unit;                ///< that all files state; empty when one of them states none, or another
-    bool isTurned;                   ///< whether assimp turned a mesh
+    std::vector<StartRemedy> remedies;  ///< of what is touched
+    std::optional<FarSide> farSide;     ///< of the surroundings, when the part starts outside of them
+    std::string unit;  ///< that all files state; empty when one of them states none, or another
+    bool isTurned;     ///< whether assimp turned a mesh
 };
 
 /// The unit that all of the meshes state, as problem files name it.
@@ -226,8 +226,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     if (!seen.touched.empty()) {
         text.comment(
             "The part touches other meshes at its start. If they are assembled so, choose one of these:");
-        for (const StartCure& cure : seen.cures) {
-            text.choice(cure.key, cure.value, cure.effect + (cure.key == "overlap" ? kLiftTellsOverlap : ""));
+        for (const StartRemedy& remedy : seen.remedies) {
+            text.choice(remedy.key, remedy.value,
+                        remedy.effect + (remedy.key == "overlap" ? kLiftTellsOverlap : ""));
         }
     }
     return text.str();
@@ -276,7 +277,7 @@ int init(const Arguments& words) {
     const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
     seen.touched = touchedObstacles(scene, Pose());
     const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
-    seen.cures = startCures(problem, seen.touched, contactLength, true);
+    seen.remedies = startRemedies(problem, seen.touched, contactLength, true);
 
     if (const std::string note = unitNote(boundingBox(part), boundingBox(environment), ""); !note.empty())
         printWarnings(

@@ -104,13 +104,13 @@ Facts treeFacts(const BuildReport& report) {
         {"  bytes", fmt::format("{}, {} per triangle", tree.bytes, readable(bytesEach)), "bytes", tree.bytes},
         {"  build seconds", readable(report.seconds), "build_seconds", toJson(report.seconds)},
         kept("triangles", report.triangles),
-        kept("out_of_reach", report.unreachableTriangles)};
+        kept("out_of_range", report.unreachableTriangles)};
 }
 
 }  // namespace
 
 Model describeMesh(const char* name, const Mesh& mesh, const std::string& reading,
-                   const BuildOptions& options, const std::optional<Reach>& reach) {
+                   const BuildOptions& options, const std::optional<QueryRange>& range) {
     Json& all = facts()[name];
     const auto tellOf = [&all](const Facts& table) {
         printRows(rowsOf(table));
@@ -118,12 +118,12 @@ Model describeMesh(const char* name, const Mesh& mesh, const std::string& readin
     };
     tellOf(readingFacts(mesh, reading));
     tellOf(triangleFacts(mesh, clean(mesh)));
-    const Model model = Model::build(mesh, options, reach);
+    const Model model = Model::build(mesh, options, range);
     const BuildReport& report = model.report();
-    if (reach)
-        printRow("out of reach",
+    if (range)
+        printRow("out of range",
                  fmt::format("{}, never within {} of the part; planning leaves them out",
-                             counted(report.unreachableTriangles, "triangle"), shownLength(reach->cap)));
+                             counted(report.unreachableTriangles, "triangle"), shownLength(range->cap)));
     printRows(rowsOf(treeFacts(report)));
     all["tree"] = toJson(treeFacts(report));
     return model;

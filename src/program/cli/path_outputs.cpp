@@ -56,7 +56,7 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
     Rows rows = {{"states", std::to_string(path.size())},
                  {"length", shownLength(audit.length)},
-                 {"turned", readable(audit.turned * 180 / M_PI) + " degrees"},
+                 {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
                  {"least clearance", leastClearanceOf(audit)}};
     for (const auto& row : contactRows(audit)) rows.push_back(row);
     if (!closest.partMesh.empty()) {

@@ -127,34 +127,35 @@ Facts settingsFacts(const planning::PlanOptions& options, const PlanReport& repo
             kept("warnings", report.warnings)};
 }
 
-std::string roomOf(const planning::RoomReport& room) {
+std::string shownWidening(const planning::WideningReport& widening) {
     return fmt::format("{} before, {} after {} s; --objective max_min_clearance looks for more",
-                       inUnit(shortened(room.before, 2)), inUnit(shortened(room.after, 3)),
-                       readable(room.seconds));
+                       inUnit(shortened(widening.before, 2)), inUnit(shortened(widening.after, 3)),
+                       readable(widening.seconds));
 }
 
 /// file: that the path is written to.
 Facts pathFacts(const PlanReport& report, const std::string& file) {
-    const double degrees = report.turned * 180 / M_PI;
+    const double degrees = report.rotation * 180 / M_PI;
     Facts facts = {
         {"found by", report.foundBy, "found_by", report.foundBy},
         shownIf(!report.objective.empty(),
                 {"objective", fmt::format("{}, cost {}", report.objective, readable(report.cost))}),
-        shownIf(report.room.has_value(), {"room", report.room ? roomOf(*report.room) : ""}),
+        shownIf(report.widening.has_value(),
+                {"widening", report.widening ? shownWidening(*report.widening) : ""}),
         {"finishing time", readable(report.finishingSeconds) + " s", "finishing_seconds",
          toJson(report.finishingSeconds)},
         {"states", fmt::format("{}, {} before simplifying", report.path.size(), report.statesBefore)},
         {"length", shownLength(report.length)},
-        {"turned",
+        {"rotation",
          readable(degrees) + " degrees",
          "path",
          {{"file", file},
           {"states", report.path.size()},
           {"length", toJson(report.length)},
-          {"turned_degrees", toJson(degrees)}}}};
-    if (report.room)
-        facts.push_back(
-            kept("room", {{"before", toJson(report.room->before)}, {"after", toJson(report.room->after)}}));
+          {"rotation_degrees", toJson(degrees)}}}};
+    if (report.widening)
+        facts.push_back(kept("widening", {{"before", toJson(report.widening->before)},
+                                          {"after", toJson(report.widening->after)}}));
     return facts;
 }
 

@@ -40,11 +40,11 @@ std::string validUpTo(const SegmentAudit& segment) {
 }
 
 void printCells(const std::string& segment, const std::string& verdict, const std::string& length,
-                const std::string& turned, const std::string& clearance, const std::string& time,
+                const std::string& rotation, const std::string& clearance, const std::string& time,
                 const std::string& between) {
     char text[160];
     std::snprintf(text, sizeof text, "%7s  %-14s %9s %8s %10s %7s", segment.c_str(), verdict.c_str(),
-                  length.c_str(), turned.c_str(), clearance.c_str(), time.c_str());
+                  length.c_str(), rotation.c_str(), clearance.c_str(), time.c_str());
     std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
 }
 
@@ -63,7 +63,7 @@ std::string contactSpans(const PathAudit& audit, std::optional<planning::TimeSpa
 /// The closest pair at a pose: mesh, triangle and point of the part, then those of the environment.
 std::string pairCells(const SceneClearance& clearance, const Pose& X_environmentPart) {
     SceneDistance nearest;
-    if (!clearance.isOutOfReach(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
+    if (!clearance.isOutOfRange(X_environmentPart)) nearest = clearance.at(X_environmentPart).nearest;
     if (!nearest.witness) return ",,,,,,,,,";
     const MeshNames names = distinctMeshNames(clearance.scene(), nearest);
     return textCell(names.part) + "," + std::to_string(nearest.witness->partTriangle) + "," +
@@ -192,7 +192,8 @@ void printAudit(const PathAudit& audit, const Scene& scene) {
 
 void printSegments(const PathAudit& audit) {
     if (!usedUnit().empty()) std::cout << "Lengths in " << usedUnit() << ", turns in degrees\n";
-    printCells("segment", "verdict", "length", "turned", "clearance", "at t", "between (triangles, from 0)");
+    printCells("segment", "verdict", "length", "rotation", "clearance", "at t",
+               "between (triangles, from 0)");
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {
         const SegmentAudit& segment = audit.segments[k];
         const MotionReport& motion = segment.motion;
@@ -202,7 +203,7 @@ void printSegments(const PathAudit& audit) {
         const std::string between = isLooked ? pairOf(segment) : "";
         const std::string trouble = segment.isValid() ? "" : validUpTo(segment);
         printCells(std::to_string(k + 1), nameOf(motion.whyInvalid.kind), shortened(segment.length),
-                   shortened(segment.turned * 180 / M_PI), isTold ? shortened(clearance) : "-",
+                   shortened(segment.rotation * 180 / M_PI), isTold ? shortened(clearance) : "-",
                    isTold ? shortened(motion.closestTime) : "-",
                    between + (between.empty() || trouble.empty() ? "" : "; ") + trouble);
     }

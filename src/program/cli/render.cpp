@@ -138,7 +138,7 @@ std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::
     for (const double share : shares) {
         const PartState state = line.at(share);
         const Pose X_environmentPart = poseOf(state);
-        if (clearance.isOutOfReach(X_environmentPart)) {
+        if (clearance.isOutOfRange(X_environmentPart)) {
             poses.push_back({state, std::numeric_limits<double>::infinity()});
             if (!isPrinted) continue;
             tellPose(share, state, "out of the problem's bounds", Json::object());

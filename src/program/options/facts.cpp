@@ -34,7 +34,7 @@ Fact meshFact(const std::string& label, const Model& model) {
     const std::size_t leftOut = model.report().unreachableTriangles;
     return {label,
             fmt::format("{}, {}{}", model.origin().file, counted(model.report().triangles, "triangle"),
-                        leftOut > 0 ? fmt::format(", {} out of reach left out", leftOut) : ""),
+                        leftOut > 0 ? fmt::format(", {} out of range left out", leftOut) : ""),
             label, toJson(model)};
 }
 
@@ -213,7 +213,7 @@ Json toJson(const planning::PathAudit& audit) {
     Json json = {
         {"verdict", wordFor(audit.verdict)},
         {"length", toJson(audit.length)},
-        {"turned_degrees", toJson(audit.turned * 180 / M_PI)},
+        {"rotation_degrees", toJson(audit.rotation * 180 / M_PI)},
         {"clearance", {{"lower", toJson(audit.lowerClearance)}, {"upper", toJson(audit.upperClearance)}}}};
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
     json["closest"] = {
@@ -229,7 +229,7 @@ Json toJson(const planning::PathAudit& audit) {
              {"trouble", motion.whyInvalid.words()},
              {"valid_until_t", toJson(motion.certifiedTime)},
              {"length", toJson(segment.length)},
-             {"turned_degrees", toJson(segment.turned * 180 / M_PI)},
+             {"rotation_degrees", toJson(segment.rotation * 180 / M_PI)},
              {"clearance",
               {{"lower", toJson(motion.lowerClearance)}, {"upper", toJson(motion.upperClearance)}}},
              {"closest_t", toJson(motion.closestTime)},

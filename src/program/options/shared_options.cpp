@@ -79,9 +79,9 @@ Model TreeChoice::build(const Mesh& mesh) const {
 }
 
 Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
-                        const std::optional<Reach>& reach) const {
-    if (cache.empty()) return Model::build(mesh, others, reach);
-    const CachedModel cached = buildCached(mesh, others, cache, reach);
+                        const std::optional<QueryRange>& range) const {
+    if (cache.empty()) return Model::build(mesh, others, range);
+    const CachedModel cached = buildCached(mesh, others, cache, range);
     // A folder that keeps no models is reported once, not for each obstacle.
     static std::atomic<bool> isReported{false};
     if (!cached.warning.empty() && (cached.isKept || !isReported.exchange(true)))
@@ -91,11 +91,10 @@ Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
 
 LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
     SceneLoading loading = guardedLoading();
-    loading.build = [&](const Mesh& mesh, const BuildOptions& others, const std::optional<Reach>& reach) {
-        return build(mesh, others, reach);
-    };
-    loading.reach = [&](const Model& part, const Box& environmentBox) {
-        return planning::planningReach(problem, plan, part, environmentBox);
+    loading.build = [&](const Mesh& mesh, const BuildOptions& others,
+                        const std::optional<QueryRange>& range) { return build(mesh, others, range); };
+    loading.range = [&](const Model& part, const Box& environmentBox) {
+        return planning::planningRange(problem, plan, part, environmentBox);
     };
     return loadScene(problem, options, loading);
 }

@@ -49,10 +49,10 @@ struct TreeChoice {
     /// cannot be used, with a warning on stderr. Goes on without a cache that cannot be written, with one warning.
     Model build(const Mesh& mesh) const;
 
-    /// The model with other options, and for a reach.
-    Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<Reach>& reach) const;
+    /// The model with other options, and for a range.
+    Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<QueryRange>& range) const;
 
-    /// Calls loadScene with the load guard, the cache, and a reach that suffices for planning with these
+    /// Calls loadScene with the load guard, the cache, and a range that suffices for planning with these
     /// options.
     LoadedScene loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const;
 

@@ -115,7 +115,7 @@ Arrangement::Arrangement(const Mesh& part, const Mesh& environment, const Cast& 
     cutEnvironment();
     chooseCamera();
     chooseExposure();
-    addWay();
+    addPath();
     addBodies(environment);
 }
 
@@ -167,7 +167,7 @@ void Arrangement::chooseExposure() {
     exposure_.isStopped = options_.isStopped;
 }
 
-void Arrangement::addWay() {
+void Arrangement::addPath() {
     const std::vector<PosedPart>& way = cast_.way;
     if (way.size() < 2) return;
     Body body;

@@ -58,7 +58,7 @@ class Arrangement {
     void cutEnvironment();
     void chooseCamera();
     void chooseExposure();
-    void addWay();
+    void addPath();
     void addBodies(const Mesh& environment);
 
     const RenderOptions& options_;

@@ -12,8 +12,8 @@ ReportFrame frameAt(double share, const PartState& state, const SceneClearance& 
     ReportFrame frame;
     frame.share = share;
     frame.X_environmentPart = poseOf(state);
-    frame.isInReach = !clearance.isOutOfReach(frame.X_environmentPart);
-    if (!frame.isInReach) return frame;
+    frame.isInRange = !clearance.isOutOfRange(frame.X_environmentPart);
+    if (!frame.isInRange) return frame;
     frame.clearance = clearance.at(frame.X_environmentPart);
     frame.whyInvalid = clearance.whyInvalid(frame.X_environmentPart, frame.clearance);
     const MeshNames names = distinctMeshNames(clearance.scene(), frame.clearance.nearest);

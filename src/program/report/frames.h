@@ -13,7 +13,7 @@ namespace clearway::report {
 struct ReportFrame {
     double share = 0;  ///< share of the path, see PathLine
     Pose X_environmentPart;
-    bool isInReach = true;  ///< when false, only the share and the pose are known
+    bool isInRange = true;  ///< when false, only the share and the pose are known
     PoseClearance clearance;
     WhyInvalid whyInvalid;
     std::string partMesh, environmentMesh;  ///< the closest pair; empty when unknown

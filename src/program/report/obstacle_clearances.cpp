@@ -40,12 +40,12 @@ class Measuring {
         return found == obstacleOf_.end() ? nullptr : &scene_.obstacles[found->second];
     }
 
-    /// Lower bounds of the distances at the frames within reach, with their frames, the least first.
+    /// Lower bounds of the distances at the frames within range, with their frames, the least first.
     std::vector<std::pair<double, std::size_t>> boxDistances(const Component& component) const {
         const Box box = boxOfComponent(environment_, component);
         std::vector<std::pair<double, std::size_t>> distances;
         for (std::size_t i = 0; i < frames_.size(); ++i) {
-            if (frames_[i].isInReach) distances.emplace_back(box.exteriorDistance(partBoxes_[i]), i);
+            if (frames_[i].isInRange) distances.emplace_back(box.exteriorDistance(partBoxes_[i]), i);
         }
         std::sort(distances.begin(), distances.end());
         return distances;

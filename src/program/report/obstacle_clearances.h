@@ -25,7 +25,7 @@ struct ObstacleClearance {
 };
 
 /// One entry for each component of the environment's mesh; the scene's obstacles bear the components' names. Measures
-/// the `most` components whose boxes come nearest, at the frames within reach of the scene.
+/// the `most` components whose boxes come nearest, at the frames within range of the scene.
 std::vector<ObstacleClearance> obstacleClearances(const Scene& scene, const Mesh& environment,
                                                   const std::vector<ReportFrame>& frames, std::size_t most);
 

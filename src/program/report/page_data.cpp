@@ -139,7 +139,7 @@ class PageMaker {
         for (const ReportFrame& frame : frames_) {
             const bool isContact = !frame.whyInvalid.isValid();
             hasContact_ = hasContact_ || isContact;
-            if (!frame.isInReach || isContact || !std::isfinite(frame.clearance.lower)) continue;
+            if (!frame.isInRange || isContact || !std::isfinite(frame.clearance.lower)) continue;
             least_ = std::min(least_, frame.clearance.lower);
             most_ = std::max(most_, frame.clearance.lower);
         }
@@ -178,8 +178,8 @@ class PageMaker {
                           {"position", pointOf(X * part_.box.center() - origin_)},
                           {"rotation", {q.x(), q.y(), q.z(), q.w()}},
                           {"pose", exactText(X.translation) + " " + exactText(q.coeffs())},
-                          {"clearance", frame.isInReach ? FloatJson(frame.clearance.lower) : FloatJson()}};
-        if (frame.isInReach && std::isinf(frame.clearance.lower)) json["isFree"] = true;
+                          {"clearance", frame.isInRange ? FloatJson(frame.clearance.lower) : FloatJson()}};
+        if (frame.isInRange && std::isinf(frame.clearance.lower)) json["isFree"] = true;
         if (!frame.whyInvalid.isValid()) json["trouble"] = nameOf(frame.whyInvalid.kind);
         if (frame.partMesh.empty()) return json;
         const SceneDistance& nearest = frame.clearance.nearest;
@@ -202,7 +202,7 @@ class PageMaker {
 
     std::size_t tightest() const {
         const auto isTighter = [](const ReportFrame& a, const ReportFrame& b) {
-            return a.isInReach && (!b.isInReach || a.clearance.lower < b.clearance.lower);
+            return a.isInRange && (!b.isInRange || a.clearance.lower < b.clearance.lower);
         };
         return static_cast<std::size_t>(std::min_element(frames_.begin(), frames_.end(), isTighter) -
                                         frames_.begin());

@@ -38,7 +38,7 @@ def runs(results):
     any_seed = [len(distinct(matching(rows, contender=name, valid="1"), "problem")) for name in (OURS, *others)]
     lines.append(["with any seed", f"{any_seed[0]} of {len(problems)}", "", "", " / ".join(map(str, any_seed[1:])),
                   f"{len(fcl)} found, {sum(row['valid'] == '1' for row in fcl)} valid; the oracle's samples hit {hits}"])
-    return table(["problem", "solved", "seconds, median (range)", "room, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
+    return table(["problem", "solved", "seconds, median (range)", "clearance, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
 
 
 def parts(results):

@@ -63,7 +63,7 @@ bool isStartFree(const Problem& problem, const Scene& scene) {
 }
 
 /// How many directions, evenly spread over the sphere, lead straight outside.
-int straightWays(const Problem& problem, const Scene& scene) {
+int straightPaths(const Problem& problem, const Scene& scene) {
     const double length = roomOf(scene);
     const ob::SpaceInformationPtr si = roomySpace(scene, length);
     const planning::MotionValidator validator(si, scene);
@@ -141,7 +141,7 @@ std::string runPart(const Assembly& assembly, std::size_t part, double seconds, 
         if (isFound)
             writePath(report.path, problem.space, path);
         else
-            straight = std::to_string(straightWays(problem, *prepared.scene));
+            straight = std::to_string(straightPaths(problem, *prepared.scene));
     } catch (const std::exception& error) {
         note = error.what();
     }

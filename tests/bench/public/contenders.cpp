@@ -57,7 +57,7 @@ Run planWithClearway(const Problem& problem, const Scene& scene, const std::stri
     run.path = report.path;
     run.clearance = report.audit.lowerClearance;
     run.length = report.length;
-    run.turned = report.turned;
+    run.rotation = report.rotation;
     return run;
 }
 
@@ -90,7 +90,7 @@ Run planWithFcl(const Problem& problem, const Scene& scene, std::uint32_t seed, 
     run.isValid = audit.isValid();
     run.clearance = audit.lowerClearance;
     run.length = audit.length;
-    run.turned = audit.turned;
+    run.rotation = audit.rotation;
     if (!run.isValid) {
         run.note = std::to_string(audit.notValid.size()) + " of " + std::to_string(audit.segments.size()) +
                    " segments are not valid";
@@ -101,7 +101,7 @@ Run planWithFcl(const Problem& problem, const Scene& scene, std::uint32_t seed, 
 std::string rowOf(const Run& run, int colliding) {
     std::string row = std::string(run.isFound ? "1," : "0,") + shortNumber(run.seconds) + "," + run.foundBy +
                       "," + (run.isValid ? "1" : "0");
-    for (const double value : {run.clearance, run.length, run.turned * 180 / M_PI}) {
+    for (const double value : {run.clearance, run.length, run.rotation * 180 / M_PI}) {
         row += "," + (run.isFound ? shortNumber(value) : std::string());
     }
     return row + "," + std::to_string(run.checks) + "," + std::to_string(colliding) + "," + run.note;

@@ -15,7 +15,7 @@ constexpr const char* kFcl = "RRTConnect+FCL";  ///< RRTConnect, FCL's collide, 
 const std::vector<std::string>& contenders();
 
 constexpr const char* kRunColumns =
-    "found,seconds,found_by,valid,clearance,length,turned_degrees,states_checked,colliding_by_oracle,note";
+    "found,seconds,found_by,valid,clearance,length,rotation_degrees,states_checked,colliding_by_oracle,note";
 
 /// Plans once. Returns a row of kRunColumns. found: the planner's answer; seconds: until then, without reading
 /// and building, and for ours without making room and shortening; valid: whether the path is valid all along,

@@ -34,7 +34,7 @@ TracedRun runTraced(Problem problem, const Scene& scene, const std::string& plan
     limits.simplify = false;
     std::optional<Recorder> recorder;
     limits.watch = recordingInto(recorder, {});
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     std::vector<std::string> warnings;
     return testing::withProcessorTime(seconds, [&](double limit) {
         options.seconds = limits.seconds = limit;

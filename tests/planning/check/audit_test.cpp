@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_is_found_in_its_segment_between_its_mes
     BOOST_TEST(closest.X_environmentPart.translation.isApprox(Vector3(-34, 0, 40)));
     BOOST_TEST(found.length == Vector3(26, 0, 40).norm() + Vector3(46, 20, 0).norm(),
                boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(found.turned == 0);
+    BOOST_TEST(found.rotation == 0);
     BOOST_TEST(found.queries == found.segments[0].motion.queries + found.segments[1].motion.queries);
     BOOST_TEST(found.profile.empty());
 }

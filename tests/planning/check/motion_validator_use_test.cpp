@@ -302,11 +302,11 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         Mesh environment =
             testing::joined(f.window.wallMesh, testing::translated(f.window.wallMesh, {400, 0, 0}));
         const double radius = f.window.scene.part.radiusAboutOrigin();
-        Reach reach{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)), radius, margin + 1};
+        QueryRange range{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)), radius, margin + 1};
         const auto scene = [&] {
-            return Scene{f.window.scene.part, Model::build(environment, {}, reach), margin};
+            return Scene{f.window.scene.part, Model::build(environment, {}, range), margin};
         };
-        BOOST_TEST(scene().obstacles[0].model.reach().has_value());
+        BOOST_TEST(scene().obstacles[0].model.range().has_value());
         const MotionValidator validator(f.si, scene());
         for (int seed = 1; seed <= testing::inForm(200, 70); ++seed) {
             testing::Random random(seed);
@@ -322,10 +322,10 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         BOOST_TEST(report.lowerClearance <= 1);
         BOOST_TEST(std::isinf(report.upperClearance));
         BOOST_TEST(!report.closest.witness);
-        const auto beyondReach = f.at({-120, 0, 0});
-        const MotionProfile from = validator.profile(beyondReach.get(), f.at({-50, 0, 0}).get());
+        const auto beyondRange = f.at({-120, 0, 0});
+        const MotionProfile from = validator.profile(beyondRange.get(), f.at({-50, 0, 0}).get());
         BOOST_TEST((from.report.whyInvalid.kind == WhyInvalid::Kind::kOutOfBounds));
-        reach.cap = margin;
+        range.cap = margin;
         testing::requireRefusedBy([&] { MotionValidator(f.si, scene()); },
                                   {"expected at least the margin and the least interval"});
     }

@@ -41,7 +41,7 @@ struct Rail {
         piece.velocity = Vector3(1, 0, height * frequency * std::sin(2 * frequency * x));
         piece.angularVelocity = Vector3(roll / 120, 0, 0);
         piece.deviation = trust * height * frequency * frequency * half * half;
-        piece.deviationAcrossTurn = 0.5 * std::pow(half * roll / 120, 2) * radius;
+        piece.deviationAcrossRotation = 0.5 * std::pow(half * roll / 120, 2) * radius;
         return piece;
     }
 

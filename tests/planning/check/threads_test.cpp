@@ -193,7 +193,7 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 /// The planner's path, each motion of it certified.
 void planWith(const std::string& name, const Parameters& parameters, bool hasObjective) {
     const auto gates = testing::gatesScene();
-    const OmplMessages unheard;
+    const OmplMessages unobserved;
     const auto space = makeSpace(Space::kSe2, *gates.problem.volume, gates.scene.part.radiusAboutOrigin());
     const auto si = std::make_shared<ob::SpaceInformation>(space);
     si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, gates.scene));

@@ -186,7 +186,7 @@ class RegionBeyond : public ob::GoalRegion {
 WhyNoPath whyNotTo(const std::function<ob::GoalPtr(const ob::SpaceInformationPtr&)>& makeGoal) {
     const ClosedBox closed;
     PlanReport report;
-    const OmplMessages unheard;
+    const OmplMessages unobserved;
     const PlanSetup setup =
         makePlanSetup(closed.door.problem, closed.scene, withIterations(1), report, [] { return false; });
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);

@@ -36,8 +36,8 @@ og::PathGeometric grazing(const Fixture& f) {
 constexpr double kGrazing = 0.009;  ///< that path keeps it
 constexpr double kWindow = 11;      ///< above and below the plate in the middle of the window
 
-RoomOptions withSweeps(std::uint64_t sweeps, double clearance = 0) {
-    RoomOptions options;
+WideningOptions withSweeps(std::uint64_t sweeps, double clearance = 0) {
+    WideningOptions options;
     options.sweeps = sweeps;
     options.clearance = clearance;
     return options;
@@ -75,10 +75,10 @@ BOOST_AUTO_TEST_CASE(a_band_ended_at_any_time_keeps_what_it_returns_and_no_less_
     int gained = 0;
     for (const int mostAsked : {0, 1, 10, 100, 1000, 3000, 10000, 30000, 100000}) {
         og::PathGeometric path = before;
-        RoomOptions options = withSweeps(200, kGrazing);
+        WideningOptions options = withSweeps(200, kGrazing);
         int asked = 0;
         options.isSpent = [&] { return ++asked > mostAsked; };
-        const double kept = makeRoom(path, *f.validator, options);
+        const double kept = widenPath(path, *f.validator, options);
         BOOST_TEST_CONTEXT("asked " << mostAsked << " times") {
             BOOST_TEST(kept >= kGrazing);
             BOOST_TEST(kept >= last);
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_band_ended_at_any_time_keeps_what_it_returns_and_no_less_
 BOOST_AUTO_TEST_CASE(a_grazing_path_through_a_window_gets_to_its_middle) {
     const Fixture f;
     og::PathGeometric path = grazing(f);
-    const double kept = makeRoom(path, *f.validator, withSweeps(200, kGrazing));
+    const double kept = widenPath(path, *f.validator, withSweeps(200, kGrazing));
     BOOST_TEST(kept > 0.85 * kWindow);
     BOOST_TEST(allKeep(path, *f.validator, kept));
 }
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_margin_leaves_less_room) {
     const Fixture f(2);
     og::PathGeometric path = pathOf(f, {f.at({-60, 0, 0}), f.at({0, 3, 3}), f.at({60, 0, 0})});
     BOOST_TEST_REQUIRE(allKeep(path, *f.validator, 0));
-    const double kept = makeRoom(path, *f.validator, withSweeps(200));
+    const double kept = widenPath(path, *f.validator, withSweeps(200));
     BOOST_TEST(kept > 0.85 * (kWindow - 2));
     BOOST_TEST(allKeep(path, *f.validator, kept));
 }
@@ -113,24 +113,24 @@ BOOST_AUTO_TEST_CASE(a_path_of_two_states_gets_states_between_them) {
     const Fixture f;
     og::PathGeometric path = pathOf(f, {f.at({-60, 4, 9}), f.at({60, 4, 9})});
     BOOST_TEST_REQUIRE(!allKeep(path, *f.validator, 2.1));
-    const double kept = makeRoom(path, *f.validator, withSweeps(200));
+    const double kept = widenPath(path, *f.validator, withSweeps(200));
     BOOST_TEST(kept > 0.85 * kWindow);
     BOOST_TEST(path.getStateCount() > 2u);
     og::PathGeometric single = pathOf(f, {f.at({-60, 0, 0})});
-    BOOST_TEST(makeRoom(single, *f.validator, withSweeps(9)) == 0);
+    BOOST_TEST(widenPath(single, *f.validator, withSweeps(9)) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(no_end_and_no_wish_is_exceeded) {
     const Fixture f;
     og::PathGeometric path = grazing(f);
-    RoomOptions options = withSweeps(200, kGrazing);
+    WideningOptions options = withSweeps(200, kGrazing);
     options.enough = 1;
-    const double enough = makeRoom(path, *f.validator, options);
+    const double enough = widenPath(path, *f.validator, options);
     BOOST_TEST(enough >= 0.99);
     BOOST_TEST(enough <= 1);
     // The plate reaches 30 from its middle and the wall's face is at x = -2.
     og::PathGeometric tight = pathOf(f, {f.at({-34, 5, 30}), f.at({-40, 0, 0}), f.at({60, 0, 0})});
-    const double kept = makeRoom(tight, *f.validator, withSweeps(200));
+    const double kept = widenPath(tight, *f.validator, withSweeps(200));
     BOOST_TEST(kept <= 2);
     BOOST_TEST(kept > 1.9);
 }
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(in_the_plane_a_path_gets_to_the_middle_of_wide_gates) {
     og::PathGeometric path = pathThrough(setup.getSpaceInformation(), states);
     BOOST_TEST_REQUIRE(allKeep(path, validator, 0));
     BOOST_TEST_REQUIRE(!allKeep(path, validator, 1.5));
-    const double kept = makeRoom(path, validator, withSweeps(200));
+    const double kept = widenPath(path, validator, withSweeps(200));
     BOOST_TEST(kept > 0.9 * testing::kWideGates);
     BOOST_TEST(kept <= testing::kWideGates);
     BOOST_TEST(allKeep(path, validator, kept));
@@ -157,9 +157,9 @@ BOOST_AUTO_TEST_CASE(in_the_plane_a_path_gets_to_the_middle_of_wide_gates) {
 BOOST_AUTO_TEST_CASE(as_many_sweeps_give_the_same_path_bit_by_bit) {
     const Fixture first, second;
     og::PathGeometric one = grazing(first), other = grazing(second);
-    const double kept = makeRoom(one, *first.validator, withSweeps(40, kGrazing));
+    const double kept = widenPath(one, *first.validator, withSweeps(40, kGrazing));
     BOOST_TEST(kept > 0.1);
-    BOOST_TEST(makeRoom(other, *second.validator, withSweeps(40, kGrazing)) == kept);
+    BOOST_TEST(widenPath(other, *second.validator, withSweeps(40, kGrazing)) == kept);
     BOOST_TEST(haveSameStates(one, other));
 }
 
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(where_contact_is_ignored_the_other_obstacles_count) {
         path.append(state.get());
     BOOST_TEST_REQUIRE(allKeep(path, *validator, 0));
     const double before = audit(path, *validator).upperClearance;
-    const double kept = makeRoom(path, *validator, withSweeps(200));
+    const double kept = widenPath(path, *validator, withSweeps(200));
     BOOST_TEST(kept > before);
     BOOST_TEST(allKeep(path, *validator, kept));
     // Without the zone no path from this start keeps anything: the plate stands on the tray.
@@ -198,10 +198,10 @@ BOOST_AUTO_TEST_CASE(a_spent_band_leaves_the_path_as_it_is) {
     const Fixture f;
     const og::PathGeometric before = grazing(f);
     og::PathGeometric path = before;
-    RoomOptions options;
+    WideningOptions options;
     options.clearance = kGrazing;
     options.isSpent = [] { return true; };
-    BOOST_TEST(makeRoom(path, *f.validator, options) == kGrazing);
+    BOOST_TEST(widenPath(path, *f.validator, options) == kGrazing);
     BOOST_TEST(haveSameStates(path, before));
 }
 
@@ -209,18 +209,18 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_spaces_are_refused) {
     const Fixture f;
     og::PathGeometric path = grazing(f);
     for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        BOOST_CHECK_THROW(makeRoom(path, *f.validator, withSweeps(1, wrong)), std::invalid_argument);
+        BOOST_CHECK_THROW(widenPath(path, *f.validator, withSweeps(1, wrong)), std::invalid_argument);
     }
-    RoomOptions options;
+    WideningOptions options;
     options.gain = 0;
-    BOOST_CHECK_THROW(makeRoom(path, *f.validator, options), std::invalid_argument);
+    BOOST_CHECK_THROW(widenPath(path, *f.validator, options), std::invalid_argument);
     const auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
     plane->setBounds(-1, 1);
     og::PathGeometric own(std::make_shared<ob::SpaceInformation>(plane));
     const ob::ScopedState<> origin(plane);
     own.append(origin.get());
     own.append(origin.get());
-    BOOST_CHECK_THROW(makeRoom(own, *f.validator, withSweeps(1)), std::invalid_argument);
+    BOOST_CHECK_THROW(widenPath(own, *f.validator, withSweeps(1)), std::invalid_argument);
 }
 
 }  // namespace

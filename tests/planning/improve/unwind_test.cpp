@@ -29,7 +29,7 @@ og::PathGeometric swinging(const Fixture& f, double angle, double x) {
 }
 
 double turnedOf(const Fixture& f, const og::PathGeometric& path) {
-    return audit(path, *f.validator).turned;
+    return audit(path, *f.validator).rotation;
 }
 
 BOOST_AUTO_TEST_CASE(turns_to_and_fro_are_taken_out_where_there_is_room) {
@@ -82,10 +82,10 @@ BOOST_AUTO_TEST_CASE(of_two_ways_the_wider_one_is_better_or_else_the_one_that_wi
     const auto way = [&](double clearance, double angle) {
         return WidePath{std::make_shared<og::PathGeometric>(swinging(f, angle, -60)), clearance};
     };
-    BOOST_TEST(isBetterWay(way(2, 0.5), way(1, 0), 10));
-    BOOST_TEST(!isBetterWay(way(1, 0), way(2, 0.5), 10));
-    BOOST_TEST(isBetterWay(way(1, 0), way(1.01, 0.5), 10));
-    BOOST_TEST(!isBetterWay(way(1.01, 0.5), way(1, 0), 10));
+    BOOST_TEST(isBetterPath(way(2, 0.5), way(1, 0), 10));
+    BOOST_TEST(!isBetterPath(way(1, 0), way(2, 0.5), 10));
+    BOOST_TEST(isBetterPath(way(1, 0), way(1.01, 0.5), 10));
+    BOOST_TEST(!isBetterPath(way(1.01, 0.5), way(1, 0), 10));
 }
 
 }  // namespace

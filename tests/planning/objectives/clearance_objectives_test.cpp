@@ -74,9 +74,9 @@ BOOST_AUTO_TEST_CASE(
         testing::Random random(21);
         int valid = 0;
         for (int i = 0; i < testing::inForm(60, 30); ++i) {
-            const double reach = i % 3 == 0 ? 0.2 : 0.01, turn = 3 * reach;
-            const auto s1 = scene->state(scene->nearPath(random, reach * diagonal, turn));
-            const auto s2 = scene->state(scene->nearPath(random, reach * diagonal, turn));
+            const double range = i % 3 == 0 ? 0.2 : 0.01, turn = 3 * range;
+            const auto s1 = scene->state(scene->nearPath(random, range * diagonal, turn));
+            const auto s2 = scene->state(scene->nearPath(random, range * diagonal, turn));
             const double found = cost(objective, s1, s2);
             if (found == -kInvalidMotionCost) continue;
             const double least = scene->leastTrueClearance(s1.get(), s2.get(), 1, 200, 2);
@@ -316,22 +316,22 @@ BOOST_AUTO_TEST_CASE(obstacles_count_where_no_contact_zone_leaves_them_out) {
 
 BOOST_AUTO_TEST_CASE(a_reach_bounds_the_clearance_told) {
     const Fixture f(2);
-    const Reach reach{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)),
-                      f.window.scene.part.radiusAboutOrigin(), 6};
+    const QueryRange range{Box(Vector3(-101, -61, -61), Vector3(101, 61, 61)),
+                           f.window.scene.part.radiusAboutOrigin(), 6};
     const Mesh environment =
         testing::joined(f.window.wallMesh, testing::translated(f.window.wallMesh, {400, 0, 0}));
-    const Scene reduced{f.window.scene.part, Model::build(environment, {}, reach), 2};
+    const Scene reduced{f.window.scene.part, Model::build(environment, {}, range), 2};
     const MinClearanceObjective objective(f.si, reduced), whole(f.si, f.window.scene);
     BOOST_TEST(objective.cap() == 4);
     const auto s1 = f.at({-90, 0, 0}), s2 = f.at({-80, 0, 0}), close = f.at({-35, 0, 30});
     BOOST_TEST(cost(objective, s1, s2) <= 4);
     BOOST_TEST(cost(objective, s1, s2) >= 4 - resolutionOf(4, kDiagonal));
     BOOST_TEST(cost(objective, s1, close) == cost(whole, s1, close), boost::test_tools::tolerance(0.1));
-    Reach small = reach;
+    QueryRange small = range;
     small.cap = 2;
     const Scene tooSmall{f.window.scene.part, Model::build(environment, {}, small), 2};
     testing::requireRefusedBy([&] { MinClearanceObjective(f.si, tooSmall); },
-                              {"a reach that ends 0 beyond its margin"});
+                              {"a range that ends 0 beyond its margin"});
 }
 
 BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(the_bracket_turns_its_way_through_the_window) {
     const PlanReport report = plan(problem, scene, options);
     BOOST_REQUIRE((report.outcome == PlanReport::Outcome::kFound));
     BOOST_TEST(report.audit.isValid());
-    BOOST_TEST(report.turned > M_PI / 2);
+    BOOST_TEST(report.rotation > M_PI / 2);
 }
 
 }  // namespace

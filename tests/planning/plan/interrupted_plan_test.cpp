@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(a_stop_at_any_time_leaves_a_valid_path_once_there_is_one) {
         BOOST_TEST(report.audit.isValid());
         BOOST_TEST(testing::collisionsAlong(oracle, report.path, window.problem, 300) == 0);
         // Making room and shortening ended early: the path keeps less room or is no shorter.
-        BOOST_REQUIRE((report.room && whole.room));
-        BOOST_TEST((report.room->after < whole.room->after || report.length >= 0.999 * whole.length));
+        BOOST_REQUIRE((report.widening && whole.widening));
+        BOOST_TEST((report.widening->after < whole.widening->after || report.length >= 0.999 * whole.length));
     }
     BOOST_TEST(none > 0);
     BOOST_TEST(found > 0);

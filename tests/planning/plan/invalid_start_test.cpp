@@ -1,4 +1,4 @@
-#include "problem/start_cures.h"
+#include "problem/start_remedies.h"
 
 #include <boost/test/unit_test.hpp>
 

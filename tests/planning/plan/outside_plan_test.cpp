@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(with_derived_bounds_the_part_has_room_outside) {
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(beyondWall(window, report.path.back()) > 0);
     const auto reach =
-        planningReach(window.problem, options, window.scene.part, window.scene.environmentBox());
+        planningRange(window.problem, options, window.scene.part, window.scene.environmentBox());
     BOOST_TEST(reach->positions.max().x() > 2 + window.scene.part.radiusAboutOrigin());
 }
 
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_start_outside_is_the_path_and_is_warned_of) {
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
     BOOST_TEST(report.path.size() == 1u);
     BOOST_TEST(report.audit.isValid());
-    BOOST_TEST(!report.room);
+    BOOST_TEST(!report.widening);
     BOOST_REQUIRE(report.warnings.size() == 1u);
     BOOST_TEST(report.warnings[0] == "the start is outside already, so the path ends there");
 }

@@ -136,12 +136,12 @@ BOOST_AUTO_TEST_CASE(a_path_gets_room_and_shortening_keeps_it_unless_it_has_to_b
         BOOST_TEST_CONTEXT("seed " << seed) {
             BOOST_REQUIRE((wide.outcome == Outcome::kFound));
             BOOST_REQUIRE((quick.outcome == Outcome::kFound));
-            BOOST_TEST(!quick.room.has_value());
-            BOOST_TEST_REQUIRE(wide.room.has_value());
-            BOOST_TEST(wide.room->after > wide.room->before);
-            BOOST_TEST(wide.room->after > quick.audit.upperClearance);
-            BOOST_TEST(wide.audit.upperClearance >= wide.room->after);
-            BOOST_TEST(wide.audit.lowerClearance >= wide.room->after);
+            BOOST_TEST(!quick.widening.has_value());
+            BOOST_TEST_REQUIRE(wide.widening.has_value());
+            BOOST_TEST(wide.widening->after > wide.widening->before);
+            BOOST_TEST(wide.widening->after > quick.audit.upperClearance);
+            BOOST_TEST(wide.audit.upperClearance >= wide.widening->after);
+            BOOST_TEST(wide.audit.lowerClearance >= wide.widening->after);
             const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
             BOOST_TEST(testing::leastDistance(oracle, wide.path, window.problem, 300) >=
                        wide.audit.lowerClearance);
@@ -155,10 +155,10 @@ BOOST_AUTO_TEST_CASE(in_time_the_room_takes_its_share_and_no_more) {
     options.seconds = 20;
     const PlanReport report = plan(window.problem, window.scene, options);
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
-    BOOST_TEST_REQUIRE(report.room.has_value());
-    BOOST_TEST(report.room->after > report.room->before);
-    BOOST_TEST(report.room->seconds < report.finishingSeconds);
-    BOOST_TEST(report.room->seconds < 10);  // 5, and as much for a busy machine
+    BOOST_TEST_REQUIRE(report.widening.has_value());
+    BOOST_TEST(report.widening->after > report.widening->before);
+    BOOST_TEST(report.widening->seconds < report.finishingSeconds);
+    BOOST_TEST(report.widening->seconds < 10);  // 5, and as much for a busy machine
 }
 
 BOOST_AUTO_TEST_CASE(quick_contradicts_an_objective) {
@@ -380,7 +380,7 @@ BOOST_AUTO_TEST_CASE(a_planar_problem_is_planned_in_se2) {
     window.problem.volume = Box(Vector3(-80, -80, 0), Vector3(80, 80, 0));
     const PlanReport report = plan(window.problem, window.scene, withIterations(200000));
     BOOST_REQUIRE((report.outcome == Outcome::kFound));
-    BOOST_TEST(report.turned > 1);
+    BOOST_TEST(report.rotation > 1);
     const testing::MeshOracle oracle(window.partMesh, window.wallMesh);
     BOOST_TEST(testing::leastDistance(oracle, report.path, window.problem, 1000) > 3);
     for (const PartState& state : report.path) BOOST_TEST(state.position.z() == 0);
@@ -399,7 +399,7 @@ BOOST_AUTO_TEST_CASE(options_that_contradict_are_refused) {
 /// The thread of plan() is held up after a path is found, and before one is.
 BOOST_AUTO_TEST_CASE(what_was_found_is_told_from_another_thread_when_planning_overruns) {
     const auto window = windowScene();
-    for (const PlanPhase held : {PlanPhase::kMakingRoom, PlanPhase::kPlanning}) {
+    for (const PlanPhase held : {PlanPhase::kWidening, PlanPhase::kPlanning}) {
         PlanOptions options;
         options.planner = "RRTConnect";
         options.seconds = 100;
@@ -423,7 +423,7 @@ BOOST_AUTO_TEST_CASE(what_was_found_is_told_from_another_thread_when_planning_ov
         BOOST_REQUIRE(isTold);
         BOOST_TEST((teller != caller));
         BOOST_TEST(soFar.isStopped);
-        const bool isFound = held == PlanPhase::kMakingRoom;
+        const bool isFound = held == PlanPhase::kWidening;
         BOOST_TEST((soFar.outcome == (isFound ? Outcome::kFound : Outcome::kStopped)));
         BOOST_TEST((whole.outcome == soFar.outcome));
         if (!isFound) continue;

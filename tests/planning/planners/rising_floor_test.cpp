@@ -67,7 +67,7 @@ BOOST_FIXTURE_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_t
     };
     const double clearance = kept(first);
     BOOST_TEST_REQUIRE(clearance > 9);
-    planner.lookForShortWays();
+    planner.lookForShortPaths();
     planner.setup();
     planner.startFrom(first, {clearance, 0.05});
     // The ways are random: most runs meet a better one within a few seconds, one in fifteen not within 6 s.
@@ -85,7 +85,7 @@ BOOST_FIXTURE_TEST_CASE(of_ways_with_nearly_as_much_clearance_it_ends_with_one_t
 }
 
 BOOST_FIXTURE_TEST_CASE(ways_sought_from_the_ends_of_a_known_path_lead_from_start_to_goal, Gates) {
-    planner.lookForShortWays();
+    planner.lookForShortPaths();
     planner.setup();
     const og::PathGeometric first = pathThrough(setup.getSpaceInformation(), spinning());
     planner.startFrom(first, {0, 0.05});

@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(with_iterations_a_run_alone_gives_the_values_that_it_gives_
     options.iterations = 300;
     options.seconds = 1e-3;  // does not count
     const Benchmark all = runBenchmark(window.problem, window.scene, options);
-    const planning::OmplMessages unheard;
+    const planning::OmplMessages unobserved;
     const DoRun doRun = runsOf(window.problem, window.scene, options);
     for (const std::size_t number : {3u, 0u, 2u, 1u}) {
         const auto alone = doRun(number);

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_problem_is_described_with_both_meshes_as_omplapp_reads_th
     BOOST_TEST(facts["part"]["shift"].dump() == "[-2.5,-2.5,-2.5]");
     BOOST_TEST(facts["part"]["box"]["min"].dump() == "[-0.5,-0.5,-0.5]");
     BOOST_TEST(facts["environment"]["components"][0]["name"] == "wall");
-    BOOST_TEST(facts["environment"]["tree"]["out_of_reach"] == 0);
+    BOOST_TEST(facts["environment"]["tree"]["out_of_range"] == 0);
     const Outcome outcome = runIn(folder, "info a.cfg");
     BOOST_TEST(outcome.err == "");
     BOOST_TEST(row(outcome, "  planner") == "rrt, range = 5");

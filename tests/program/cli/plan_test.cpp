@@ -97,10 +97,10 @@ BOOST_AUTO_TEST_CASE(what_no_position_within_the_bounds_can_come_near_is_left_ou
     for (int run = 0; run < 2; ++run) {  // the second one reads the cache
         const Outcome outcome = runIn(folder, added(verdictsAlone + " --cache trees"));
         BOOST_TEST(outcome.code == 0, outcome.err);
-        BOOST_TEST(holds(row(outcome, "environment"), "432 out of reach"), outcome.out);
+        BOOST_TEST(holds(row(outcome, "environment"), "432 out of range"), outcome.out);
         BOOST_TEST(readText(folder.file("out.path")) == path);
     }
-    BOOST_TEST(factsOf(folder, "info window.cfg")["environment"]["tree"]["out_of_reach"] == 432);
+    BOOST_TEST(factsOf(folder, "info window.cfg")["environment"]["tree"]["out_of_range"] == 432);
 
     saveMesh(far, folder.file("wall.obj"));
     const std::string least = row(runIn(folder, kPlan), "least clearance");

@@ -105,12 +105,12 @@ BOOST_AUTO_TEST_CASE(a_pose_out_of_the_environments_reach_is_a_frame_of_which_no
     const Way way;
     const Mesh far = translated(way.window.wallMesh, {1000, 0, 0});
     const Box positions(Vector3(-70, -80, -80), Vector3(20, 80, 80));
-    const Model near = Model::build(joined(way.window.wallMesh, far), {}, Reach{positions, 50, 30});
+    const Model near = Model::build(joined(way.window.wallMesh, far), {}, QueryRange{positions, 50, 30});
     const Scene scene(way.window.scene.part, near);
     std::size_t unknown = 0;
     for (const ReportFrame& frame : framesAlong(way.line(), SceneClearance(scene), 20)) {
-        BOOST_TEST(frame.isInReach == (frame.X_environmentPart.translation.x() <= 20));
-        unknown += !frame.isInReach;
+        BOOST_TEST(frame.isInRange == (frame.X_environmentPart.translation.x() <= 20));
+        unknown += !frame.isInRange;
     }
     BOOST_TEST(unknown > 3u);
 }

@@ -15,11 +15,11 @@ using namespace report;
 namespace {
 
 /// A straight path through the window.
-struct StraightWay {
+struct StraightPath {
     WindowScene window = windowScene();
     std::vector<ReportFrame> frames;
 
-    explicit StraightWay(double shift = 0) {
+    explicit StraightPath(double shift = 0) {
         std::vector<PartState> path = {window.problem.start, window.problem.goal};
         for (PartState& state : path) {
             state.rotation.setIdentity();  // flat, to fit through the window
@@ -35,7 +35,7 @@ struct StraightWay {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_least_clearance_to_each_obstacle_is_that_of_its_distances_at_the_frames) {
-    StraightWay way;
+    StraightPath way;
     way.window.scene.obstacles[0].margin = 2;
     const auto clearances = way.clearances(99);
     BOOST_TEST_REQUIRE(clearances.size() == 4u);
@@ -56,14 +56,14 @@ BOOST_AUTO_TEST_CASE(the_least_clearance_to_each_obstacle_is_that_of_its_distanc
 }
 
 BOOST_AUTO_TEST_CASE(an_obstacle_in_the_way_is_told_from_the_others) {
-    const auto clearances = StraightWay(20).clearances(99);  // runs into the wall on the right
+    const auto clearances = StraightPath(20).clearances(99);  // runs into the wall on the right
     for (std::size_t i = 0; i < 4; ++i)
         BOOST_TEST(((clearances[i].trouble == WhyInvalid::Kind::kCollides) == (i == 3)));
     BOOST_TEST(clearances[3].lower <= 0);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_measured_has_the_bound_of_its_box) {
-    const StraightWay way(8);
+    const StraightPath way(8);
     const auto all = way.clearances(99), few = way.clearances(1);
     std::size_t measured = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_measured_has_the_bound_of_its_box) {
 }
 
 BOOST_AUTO_TEST_CASE(obstacles_that_the_scene_ignores_are_told) {
-    StraightWay way;
+    StraightPath way;
     const Mesh some = meshOfComponents(way.window.wallMesh, {0, 1});
     way.window.scene.obstacles = {{Model::build(some)}};
     const auto clearances = way.clearances(99);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(obstacles_that_the_scene_ignores_are_told) {
 }
 
 BOOST_AUTO_TEST_CASE(inside_a_solid_there_is_no_clearance) {
-    StraightWay way;
+    StraightPath way;
     const Mesh shell =
         transformed(boxMesh(Box(Vector3(-200, -200, -200), Vector3(200, 200, 200)), "shell"), {});
     Scene& scene = way.window.scene;

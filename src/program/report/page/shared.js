@@ -88,7 +88,7 @@ function fillContact(context, x, y, width, height) {
 function clearanceWords(frame) {
   if (frame.isFree) return 'nothing to keep clear of';
   if (frame.trouble) return frame.trouble;
-  return 'clearance ' + (frame.clearance === null ? 'out of reach' : boundText(frame.clearance));
+  return 'clearance ' + (frame.clearance === null ? 'out of range' : boundText(frame.clearance));
 }
 
 const placeWords = (frame) => `at ${digits(100 * frame.share)} % of the way`;

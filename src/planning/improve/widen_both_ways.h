@@ -1,4 +1,4 @@
-// Makes room along a path in two ways and takes the better one: of the path as it is, and of the path shortened first.
+// Widens a path in two ways and takes the better one: of the path as it is, and of the path shortened first.
 // The shortened one takes fewer states and thus less time, but may lead through a narrower gap.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace clearway::planning {
 
-/// Makes room as makeRoom does, the shortened way first. Limits are those of each way. Returns the clearance kept. Ways that
+/// Widens as widenPath does, the shortened way first. Limits are those of each way. Returns the clearance kept. Ways that
 /// keep about as much clearance are compared by windingLength().
-double makeRoomBothWays(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
-                        const RoomOptions& options);
+double widenBothWays(ompl::geometric::PathGeometric& path, const MotionValidator& validator,
+                     const WideningOptions& options);
 
 /// A path that ends just outside keeps no more clearance than its end. Leads a path to an OutsideGoal on until its end has
 /// the clearance, or that of a diagonal of the part's box if that is less, within the bounds. Other paths stay as they are.

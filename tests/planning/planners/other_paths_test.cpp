@@ -1,4 +1,4 @@
-#include "planning/planners/other_ways.h"
+#include "planning/planners/other_paths.h"
 
 #include <ompl/base/goals/GoalState.h>
 
@@ -9,7 +9,7 @@
 
 namespace clearway::planning {
 
-BOOST_AUTO_TEST_SUITE(other_ways_test)
+BOOST_AUTO_TEST_SUITE(other_paths_test)
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "planning/plan/room.h"
+#include "planning/plan/widening.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include "core/clock.h"
 #include "planning/improve/kept_clearance.h"
 #include "planning/improve/part_moves.h"
-#include "planning/improve/room_both_ways.h"
+#include "planning/improve/widen_both_ways.h"
 #include "planning/plan/finish.h"
 #include "planning/plan/goals.h"
 #include "planning/planners/rising_floor.h"
@@ -57,10 +57,10 @@ class Growth {
     bool isFast_ = true;
 };
 
-/// The setup's problem with a validator that ends with the room's time, and without an objective.
-class RoomSetup {
+/// The setup's problem with a validator that ends with the time for widening, and without an objective.
+class WideningSetup {
   public:
-    RoomSetup(const PlanSetup& setup, const RoomLimits& limits)
+    WideningSetup(const PlanSetup& setup, const WideningLimits& limits)
         : si_(makeOnSharedSpace(setup.si->getStateSpace())),
           definition_(std::make_shared<ob::ProblemDefinition>(si_)) {
         const SharedScene& scene = setup.checker->shared();
@@ -91,8 +91,8 @@ class RoomSetup {
     std::shared_ptr<MotionValidator> validator_;
 };
 
-void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits,
-                      double kept) {
+void widenBySweeps(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
+                   double kept) {
     const Scene& scene = setup.validator().scene();
     const PartMoves moves(*setup.si()->getStateSpace(), scene.part);
     const SceneClearance& clearance = *setup.validator().shared().clearance();
@@ -101,19 +101,20 @@ void makeRoomBySweeps(const RoomSetup& setup, og::PathGeometric& path, const Roo
         return clearance.at(moves.pose(path.getState(0))).lower;
     }();
     endFurtherOut(path, setup.definition()->getGoal(), scene, most);
-    RoomOptions options;
+    WideningOptions options;
     options.clearance = kept;
     options.sweeps = limits.sweeps;
     options.isSpent = limits.isSpent;
-    makeRoomBothWays(path, setup.validator(), options);
+    widenBothWays(path, setup.validator(), options);
 }
 
-void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomLimits& limits, double kept) {
+void widenInTime(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
+                 double kept) {
     RisingFloor rising(setup.si());
     rising.setProblemDefinition(setup.definition());
     rising.setRange(limits.range);
     rising.setThreads(std::max(1u, limits.threads));
-    rising.lookForShortWays();
+    rising.lookForShortPaths();
     rising.setup();
     rising.startFrom(path, {kept, limits.planningSeconds});
     Growth growth;
@@ -131,7 +132,7 @@ void makeRoomInTime(const RoomSetup& setup, og::PathGeometric& path, const RoomL
     }
 }
 
-/// Ends the path where its first motion that leads outside gets there: makeRoom led it on, for clearance at its end.
+/// Ends the path where its first motion that leads outside gets there: widenPath led it on, for clearance at its end.
 void endOnceOutside(const PlanSetup& setup, og::PathGeometric& path) {
     cutOutside(setup, path);
     const auto last = static_cast<unsigned int>(path.getStateCount()) - 1;
@@ -153,15 +154,15 @@ void endOnceOutside(const PlanSetup& setup, og::PathGeometric& path) {
 
 }  // namespace
 
-RoomReport makeRoom(const PlanSetup& setup, og::PathGeometric& path, const RoomLimits& limits) {
-    const RoomSetup room(setup, limits);
+WideningReport widenPath(const PlanSetup& setup, og::PathGeometric& path, const WideningLimits& limits) {
+    const WideningSetup wide(setup, limits);
     const double most = setup.auditor->scene().part.box().diagonal().norm();
-    RoomReport report;
-    report.before = keptClearance(path, room.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
-    og::PathGeometric widened = room.copyOf(path);
-    (limits.sweeps ? makeRoomBySweeps : makeRoomInTime)(room, widened, limits, report.before);
+    WideningReport report;
+    report.before = keptClearance(path, wide.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
+    og::PathGeometric widened = wide.copyOf(path);
+    (limits.sweeps ? widenBySweeps : widenInTime)(wide, widened, limits, report.before);
     endOnceOutside(setup, widened);
-    // The last word has the auditor, whose motions do not end with the room's time.
+    // The auditor decides: its motions do not end with the time for widening.
     report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}});
     if (report.after < report.before) {
         report.after = report.before;

@@ -16,7 +16,7 @@
 
 namespace clearway {
 
-BOOST_AUTO_TEST_SUITE(reach_test)
+BOOST_AUTO_TEST_SUITE(query_range_test)
 
 namespace {
 
@@ -24,7 +24,7 @@ using testing::Random;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A part away from its origin in a wide environment, and poses within the reach: anywhere, and at its
+/// A part away from its origin in a wide environment, and poses within the range: anywhere, and at its
 /// border.
 struct Case {
     explicit Case(std::uint64_t seed, const BuildOptions& options = {})
@@ -34,9 +34,9 @@ struct Case {
                                                  {random.rotation(), {0.5, 0, 0.3}}),
                             options)),
           whole(Model::build(environmentMesh, options)),
-          reach{Box(Vector3(-3, 1, -6), Vector3(2, 4, -6)), part.radiusAboutOrigin(), random.uniform(0.3, 1)},
-          reduced(Model::build(environmentMesh, options, reach)) {
-        const Vector3 low = reach.positions.min(), high = reach.positions.max();
+          range{Box(Vector3(-3, 1, -6), Vector3(2, 4, -6)), part.radiusAboutOrigin(), random.uniform(0.3, 1)},
+          reduced(Model::build(environmentMesh, options, range)) {
+        const Vector3 low = range.positions.min(), high = range.positions.max();
         for (int i = 0; i < 150; ++i) {
             Pose pose = random.pose(0);
             for (int axis = 0; axis < 3; ++axis) {
@@ -52,7 +52,7 @@ struct Case {
     Mesh environmentMesh;
     Model part;
     Model whole;
-    Reach reach;
+    QueryRange range;
     Model reduced;
     std::vector<Pose> poses;
 };
@@ -81,7 +81,7 @@ void checkAgreement(const DistanceResult& whole, const DistanceResult& reduced, 
 
 #define BOOST_TEST_SAYS(text, words) BOOST_TEST((text).find(words) != std::string::npos, text)
 
-BOOST_DATA_TEST_CASE(within_the_reach_all_queries_agree_with_the_whole_model, testing::eachWidth(), width) {
+BOOST_DATA_TEST_CASE(within_the_range_all_queries_agree_with_the_whole_model, testing::eachWidth(), width) {
     int beyond = 0, near = 0, colliding = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         BuildOptions options;
@@ -95,27 +95,27 @@ BOOST_DATA_TEST_CASE(within_the_reach_all_queries_agree_with_the_whole_model, te
             BOOST_TEST_CONTEXT("seed " << seed << ", pose " << i) {
                 const DistanceResult truth = distance(c.part, c.whole, X, {}, a);
                 const DistanceResult found = distance(c.part, c.reduced, X, {}, b);
-                checkAgreement(truth, found, c.reach.cap, true);
+                checkAgreement(truth, found, c.range.cap, true);
                 ++(found.upper == kInfinity ? beyond : found.collides() ? colliding : near);
-                for (const double cap : {0.0, 0.5 * c.reach.cap, c.reach.cap, 4 * c.reach.cap}) {
+                for (const double cap : {0.0, 0.5 * c.range.cap, c.range.cap, 4 * c.range.cap}) {
                     DistanceOptions capped;
                     capped.cap = cap;
                     const DistanceResult d = distance(c.part, c.reduced, X, capped, b);
                     BOOST_TEST(d.lower <= truth.upper);
-                    BOOST_TEST((d.upper == kInfinity ? d.lower >= std::min(cap, c.reach.cap)
+                    BOOST_TEST((d.upper == kInfinity ? d.lower >= std::min(cap, c.range.cap)
                                                      : d.upper >= truth.lower));
                 }
                 DistanceOptions loose;
                 loose.relativeError = 0.3;
                 loose.absoluteError = 0.1;
                 const DistanceResult d = distance(c.part, c.reduced, X, loose, b);
-                if (d.upper < kInfinity || truth.distance > c.reach.cap) {
-                    checkAgreement(truth, d, c.reach.cap, false);
+                if (d.upper < kInfinity || truth.distance > c.range.cap) {
+                    checkAgreement(truth, d, c.range.cap, false);
                 } else {
                     BOOST_ERROR("nothing found, the distance is " << truth.distance);
                 }
                 BOOST_TEST(collides(c.part, c.whole, X, a) == collides(c.part, c.reduced, X, b));
-                for (const double d2 : {0.1 * c.reach.cap, 0.7 * c.reach.cap, c.reach.cap}) {
+                for (const double d2 : {0.1 * c.range.cap, 0.7 * c.range.cap, c.range.cap}) {
                     BOOST_TEST(isWithin(c.part, c.whole, X, d2, a) == isWithin(c.part, c.reduced, X, d2, b));
                 }
             }
@@ -130,11 +130,11 @@ BOOST_AUTO_TEST_CASE(batches_agree_with_the_whole_model) {
     const Case c(21);
     const auto truth = distanceBatch(c.part, c.whole, c.poses),
                found = distanceBatch(c.part, c.reduced, c.poses);
-    BOOST_TEST((isWithinBatch(c.part, c.whole, c.poses, c.reach.cap) ==
-                isWithinBatch(c.part, c.reduced, c.poses, c.reach.cap)));
+    BOOST_TEST((isWithinBatch(c.part, c.whole, c.poses, c.range.cap) ==
+                isWithinBatch(c.part, c.reduced, c.poses, c.range.cap)));
     for (std::size_t i = 0; i < c.poses.size(); ++i) {
         BOOST_TEST_CONTEXT("pose " << i) {
-            checkAgreement(truth[i], found[i], c.reach.cap, true);
+            checkAgreement(truth[i], found[i], c.range.cap, true);
         }
     }
 }
@@ -147,9 +147,10 @@ BOOST_AUTO_TEST_CASE(a_part_turned_to_its_farthest_finds_what_is_at_the_cap) {
     wall.vertices = {{10, -9, -9}, {10, 9, -9}, {10, 0, 9}, {90, 0, 0}, {90, 1, 0}, {90, 0, 1}};
     wall.triangles = {{3, 4, 5}, {0, 1, 2}};
     const Model moving = Model::build(part);
-    const Reach reach{Box(Vector3(0, 0, 0), Vector3(3, 0, 0)), 5, 2};
+    const QueryRange range{Box(Vector3(0, 0, 0), Vector3(3, 0, 0)), 5, 2};
     BOOST_TEST(moving.radiusAboutOrigin() > 5 - 1e-12);
-    const Model model = Model::build(wall, {}, Reach{reach.positions, moving.radiusAboutOrigin(), reach.cap});
+    const Model model =
+        Model::build(wall, {}, QueryRange{range.positions, moving.radiusAboutOrigin(), range.cap});
     BOOST_TEST(model.report().unreachableTriangles == 1u);
     Pose X;
     X.rotation << 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1;
@@ -172,8 +173,8 @@ BOOST_AUTO_TEST_CASE(a_rotation_off_by_what_is_accepted_lengthens_the_part_and_s
     wall.vertices = {{x, -9, -9}, {x, 9, -9}, {x, 0, 9}, {90, 0, 0}, {90, 1, 0}, {90, 0, 1}};
     wall.triangles = {{3, 4, 5}, {0, 1, 2}};
     const Model moving = Model::build(part);
-    const Model model =
-        Model::build(wall, {}, Reach{Box(Vector3(0, 0, 0), Vector3(0, 0, 0)), moving.radiusAboutOrigin(), 2});
+    const Model model = Model::build(
+        wall, {}, QueryRange{Box(Vector3(0, 0, 0), Vector3(0, 0, 0)), moving.radiusAboutOrigin(), 2});
     Pose X;
     X.rotation *= 1 + 4e-13;  // the part ends at 5 + 2e-12
     Workspace workspace;
@@ -181,10 +182,10 @@ BOOST_AUTO_TEST_CASE(a_rotation_off_by_what_is_accepted_lengthens_the_part_and_s
     BOOST_TEST(isWithin(moving, model, X, 2, workspace));
 }
 
-BOOST_AUTO_TEST_CASE(a_model_of_which_nothing_is_in_reach_answers_farther_than_the_cap) {
+BOOST_AUTO_TEST_CASE(a_model_of_which_nothing_is_in_range_answers_farther_than_the_cap) {
     const Case c(4);
-    const Reach reach{Box(Vector3(50, 0, 0), Vector3(55, 5, 5)), c.part.radiusAboutOrigin(), 2};
-    const Model model = Model::build(c.environmentMesh, {}, reach);
+    const QueryRange range{Box(Vector3(50, 0, 0), Vector3(55, 5, 5)), c.part.radiusAboutOrigin(), 2};
+    const Model model = Model::build(c.environmentMesh, {}, range);
     BOOST_TEST(model.report().triangles == 1u);
     BOOST_TEST(model.report().unreachableTriangles == 1499u);
     Workspace workspace;
@@ -197,12 +198,12 @@ BOOST_AUTO_TEST_CASE(a_model_of_which_nothing_is_in_reach_answers_farther_than_t
     BOOST_TEST(!collides(c.part, model, X, workspace));
 }
 
-BOOST_AUTO_TEST_CASE(a_model_that_lacks_nothing_has_no_reach_and_answers_everything) {
+BOOST_AUTO_TEST_CASE(a_model_that_lacks_nothing_has_no_range_and_answers_everything) {
     const Case c(4);
-    Reach wide = c.reach;
+    QueryRange wide = c.range;
     wide.cap = 100;
     const Model model = Model::build(c.environmentMesh, {}, wide);
-    BOOST_TEST(!model.reach());
+    BOOST_TEST(!model.range());
     BOOST_TEST(model.report().unreachableTriangles == 0u);
     Workspace a, b;
     Pose X;
@@ -213,7 +214,7 @@ BOOST_AUTO_TEST_CASE(a_model_that_lacks_nothing_has_no_reach_and_answers_everyth
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
     const Case c(5);
-    const double cap = c.reach.cap;
+    const double cap = c.range.cap;
     Workspace workspace;
     Pose X = c.poses[0];
     BOOST_TEST_SAYS(
@@ -241,8 +242,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
     BOOST_TEST_SAYS(testing::refusalBy([&] { collides(larger, c.reduced, X, workspace); }),
                     "the part's radius about its origin is 8.66");
     BOOST_TEST_SAYS(testing::refusalBy([&] { collides(c.reduced, larger, X, workspace); }),
-                    "the part was built with a reach");
-    Reach wrong = c.reach;
+                    "the part was built with a range");
+    QueryRange wrong = c.range;
     wrong.cap = -1;
     BOOST_TEST_SAYS(testing::refusalBy([&] { Model::build(c.environmentMesh, {}, wrong); }), "cap is -1");
     const testing::TemporaryFolder folder;
@@ -253,7 +254,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_answered_is_refused_by_name) {
 BOOST_AUTO_TEST_CASE(the_box_and_the_ids_are_those_of_the_whole_mesh) {
     Case c(6);
     c.environmentMesh.components = {{"first", 0, 700}, {"second", 700, 800}};
-    const Model model = Model::build(c.environmentMesh, {}, c.reach);
+    const Model model = Model::build(c.environmentMesh, {}, c.range);
     BOOST_TEST((model.box().min() == c.whole.box().min()));
     BOOST_TEST((model.box().max() == c.whole.box().max()));
     int second = 0;
@@ -265,18 +266,18 @@ BOOST_AUTO_TEST_CASE(the_box_and_the_ids_are_those_of_the_whole_mesh) {
     BOOST_TEST(second > 10);
 }
 
-BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_reach_and_the_key_tells_it) {
+BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_range_and_the_key_tells_it) {
     const Case c(7);
     const testing::TemporaryFolder folder;
     c.reduced.save(folder.file("a"));
     const Model loaded = Model::load(folder.file("a"));
-    BOOST_TEST_REQUIRE(loaded.reach().has_value());
-    BOOST_TEST((loaded.reach()->positions.min() == c.reach.positions.min()));
-    BOOST_TEST((loaded.reach()->positions.max() == c.reach.positions.max()));
-    BOOST_TEST(loaded.reach()->partRadius == c.reach.partRadius);
-    BOOST_TEST(loaded.reach()->cap == c.reach.cap);
+    BOOST_TEST_REQUIRE(loaded.range().has_value());
+    BOOST_TEST((loaded.range()->positions.min() == c.range.positions.min()));
+    BOOST_TEST((loaded.range()->positions.max() == c.range.positions.max()));
+    BOOST_TEST(loaded.range()->partRadius == c.range.partRadius);
+    BOOST_TEST(loaded.range()->cap == c.range.cap);
     BOOST_TEST(loaded.report().unreachableTriangles == c.reduced.report().unreachableTriangles);
-    BOOST_TEST(loaded.key() == modelKey(c.environmentMesh, {}, c.reach));
+    BOOST_TEST(loaded.key() == modelKey(c.environmentMesh, {}, c.range));
     BOOST_TEST((loaded.box().max() == c.whole.box().max()));
     Workspace a, b;
     Pose X = c.poses[0];
@@ -285,9 +286,9 @@ BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_reach_and_the_key_tells_it) {
     BOOST_TEST_SAYS(testing::refusalBy([&] { collides(c.part, loaded, X, a); }), "expected -3 to 2");
 
     std::vector<std::uint64_t> keys = {modelKey(c.environmentMesh, {}),
-                                       modelKey(c.environmentMesh, {}, c.reach)};
+                                       modelKey(c.environmentMesh, {}, c.range)};
     for (int field = 0; field < 8; ++field) {
-        Reach other = c.reach;
+        QueryRange other = c.range;
         (field < 3   ? other.positions.min()[field]
          : field < 6 ? other.positions.max()[field - 3]
          : field < 7 ? other.partRadius
@@ -301,12 +302,12 @@ BOOST_AUTO_TEST_CASE(a_saved_model_keeps_its_reach_and_the_key_tells_it) {
 BOOST_AUTO_TEST_CASE(the_cache_keeps_models_of_different_reaches_apart) {
     const Case c(8);
     const testing::TemporaryFolder folder;
-    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path(), c.reach).isLoaded);
+    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path(), c.range).isLoaded);
     BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).isLoaded);
-    const CachedModel again = buildCached(c.environmentMesh, {}, folder.path(), c.reach);
+    const CachedModel again = buildCached(c.environmentMesh, {}, folder.path(), c.range);
     BOOST_TEST(again.isLoaded);
-    BOOST_TEST(again.model.reach().has_value());
-    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).model.reach());
+    BOOST_TEST(again.model.range().has_value());
+    BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).model.range());
 }
 
 }  // namespace

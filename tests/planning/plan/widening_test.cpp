@@ -1,4 +1,4 @@
-#include "planning/plan/room.h"
+#include "planning/plan/widening.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace clearway::planning {
 
-BOOST_AUTO_TEST_SUITE(room_test)
+BOOST_AUTO_TEST_SUITE(widening_test)
 
 namespace {
 
@@ -20,10 +20,10 @@ BOOST_AUTO_TEST_CASE(the_end_of_a_path_outside_does_not_limit_the_clearance_it_k
     const PartState before = {{50, 0, 0}, {1, 0, 0, 0}},
                     end = {{32.5, 35, 0}, {1, 0, 0, 0}};  // 0.5 from the wall
     auto path = pathThrough(setup.si, {window.problem.start, before, end});
-    RoomLimits limits;
+    WideningLimits limits;
     limits.sweeps = 64;
     limits.isDue = limits.isSpent = [] { return false; };
-    const RoomReport room = makeRoom(setup, path, limits);
+    const WideningReport room = widenPath(setup, path, limits);
     BOOST_TEST(room.before <= 0.5);
     BOOST_TEST(room.after > 8);
     BOOST_TEST(setup.definition->getGoal()->isSatisfied(path.getStates().back()));

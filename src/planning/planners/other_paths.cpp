@@ -1,4 +1,4 @@
-#include "planning/planners/other_ways.h"
+#include "planning/planners/other_paths.h"
 
 #include <utility>
 

@@ -16,7 +16,7 @@ namespace clearway {
 constexpr double kUsualContact = 0.02;
 
 /// A key of [clearway] that lets the problem begin at its start.
-struct StartCure {
+struct StartRemedy {
     std::string key, value;
     std::string effect;  ///< in a few words
 };
@@ -26,10 +26,10 @@ struct StartCure {
 std::vector<std::string> touchedObstacles(const Scene& scene, const Pose& X_environmentPart);
 
 /// touched: names of obstacles, see touchedObstacles. length: for contact.start. mayOverlap: an overlap would be enough.
-std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
-                                  double length, bool mayOverlap);
+std::vector<StartRemedy> startRemedies(const Problem& problem, const std::vector<std::string>& touched,
+                                       double length, bool mayOverlap);
 
-/// The cures as the end of a message, which begins with "; ". Many names are left out.
+/// The remedies as the end of a message, which begins with "; ". Many names are left out.
 std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
                         bool mayOverlap);
 

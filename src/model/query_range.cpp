@@ -1,10 +1,10 @@
-// Finds unreachable triangles and refuses queries beyond a reach.
+// Finds unreachable triangles and refuses queries beyond a range.
 //
 // A triangle and a box are as far apart as the widest gap between their shadows on a line. The features that
 // can be nearest give the few directions along which this gap can be widest: the axes, the triangle's normal,
 // cross products of edges, from a box corner perpendicularly to an edge, and from the box to a corner. Any
 // gap is a true lower bound, so rounding of a direction can only keep a triangle that might have gone.
-#include "model/reach.h"
+#include "model/query_range.h"
 
 #include <algorithm>
 #include <array>
@@ -104,30 +104,30 @@ CornerPoints cornersOf(const CleanMesh& mesh, const TriangleIndices& triangle) {
     return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
 }
 
-[[noreturn]] void refuseBeyondReach(const std::string& what, double value, const std::string& expected) {
+[[noreturn]] void refuseBeyondRange(const std::string& what, double value, const std::string& expected) {
     throw ArgumentError(what + " is " + shortNumber(value) + ", expected " + expected +
-                        ": the environment was built without the triangles beyond that reach");
+                        ": the environment was built without the triangles beyond that range");
 }
 
 }  // namespace
 
-void requireReach(const Reach& reach) {
-    const Vector3 low = reach.positions.min(), high = reach.positions.max();
+void requireRange(const QueryRange& range) {
+    const Vector3 low = range.positions.min(), high = range.positions.max();
     for (int axis = 0; axis < 3; ++axis) {
         if (low[axis] <= high[axis] && std::isfinite(low[axis]) && std::isfinite(high[axis])) continue;
-        throw ArgumentError(std::string("the reach's positions along ") + "xyz"[axis] + " are " +
+        throw ArgumentError(std::string("the range's positions along ") + "xyz"[axis] + " are " +
                             formatNumber(low[axis]) + " to " + formatNumber(high[axis]) +
                             ", expected finite numbers, the first at most the second");
     }
-    requireNotNegative("the reach's partRadius", reach.partRadius);
-    requireNotNegative("the reach's cap", reach.cap);
+    requireNotNegative("the range's partRadius", range.partRadius);
+    requireNotNegative("the range's cap", range.cap);
 }
 
-std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {
-    Box all = reach.positions;
+std::size_t leaveOutUnreachable(CleanMesh& mesh, const QueryRange& range) {
+    Box all = range.positions;
     for (const Vector3& vertex : mesh.vertices) all.extend(vertex);
-    const double limit = reach.partRadius * kStretch + reach.cap;
-    const Surroundings near(reach.positions, limit + kSlack * (largestCoordinate(all) + limit));
+    const double limit = range.partRadius * kStretch + range.cap;
+    const Surroundings near(range.positions, limit + kSlack * (largestCoordinate(all) + limit));
 
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -146,33 +146,33 @@ std::size_t leaveOutUnreachable(CleanMesh& mesh, const Reach& reach) {
     return leftOut;
 }
 
-void requireWithinReach(const Model& part, const Model& environment, const Pose& X_environmentPart) {
-    if (part.reach()) {
+void requireWithinRange(const Model& part, const Model& environment, const Pose& X_environmentPart) {
+    if (part.range()) {
         throw ArgumentError(
-            "the part was built with a reach and lacks triangles, expected one built without");
+            "the part was built with a range and lacks triangles, expected one built without");
     }
-    if (!environment.reach()) return;
-    const Reach& reach = *environment.reach();
-    if (part.radiusAboutOrigin() > reach.partRadius) {
-        refuseBeyondReach("the part's radius about its origin", part.radiusAboutOrigin(),
-                          "at most " + shortNumber(reach.partRadius));
+    if (!environment.range()) return;
+    const QueryRange& range = *environment.range();
+    if (part.radiusAboutOrigin() > range.partRadius) {
+        refuseBeyondRange("the part's radius about its origin", part.radiusAboutOrigin(),
+                          "at most " + shortNumber(range.partRadius));
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const double low = reach.positions.min()[axis], high = reach.positions.max()[axis];
+        const double low = range.positions.min()[axis], high = range.positions.max()[axis];
         const double position = X_environmentPart.translation[axis];
         if (position >= low && position <= high) continue;
-        refuseBeyondReach(std::string("the pose's translation along ") + "xyz"[axis], position,
+        refuseBeyondRange(std::string("the pose's translation along ") + "xyz"[axis], position,
                           shortNumber(low) + " to " + shortNumber(high));
     }
 }
 
 void requireWithinCap(const Model& environment, double d) {
-    if (!environment.reach() || d <= environment.reach()->cap) return;
-    refuseBeyondReach("d", d, "at most " + shortNumber(environment.reach()->cap));
+    if (!environment.range() || d <= environment.range()->cap) return;
+    refuseBeyondRange("d", d, "at most " + shortNumber(environment.range()->cap));
 }
 
-double cappedByReach(const Model& environment, double cap) {
-    return environment.reach() ? std::min(cap, environment.reach()->cap) : cap;
+double cappedByRange(const Model& environment, double cap) {
+    return environment.range() ? std::min(cap, environment.range()->cap) : cap;
 }
 
 }  // namespace clearway

@@ -1,4 +1,4 @@
-// Planning with the environment cut to its reach gives the path that planning with the whole environment
+// Planning with the environment cut to its range gives the path that planning with the whole environment
 // gives.
 #include "clearway/planning/plan.h"
 
@@ -19,7 +19,7 @@
 
 namespace clearway::planning {
 
-BOOST_AUTO_TEST_SUITE(planning_reach_test)
+BOOST_AUTO_TEST_SUITE(planning_range_test)
 
 namespace {
 
@@ -32,11 +32,11 @@ struct TwoWalls {
         environment = testing::joined(window.wallMesh, testing::translated(window.wallMesh, {1000, 0, 0}));
     }
 
-    Scene scene(const std::optional<Reach>& reach = std::nullopt) const {
-        return {window.scene.part, Model::build(environment, {}, reach), problem.margin};
+    Scene scene(const std::optional<QueryRange>& range = std::nullopt) const {
+        return {window.scene.part, Model::build(environment, {}, range), problem.margin};
     }
-    std::optional<Reach> reach(const PlanOptions& options = {}) const {
-        return planningReach(problem, options, window.scene.part, boundingBox(environment));
+    std::optional<QueryRange> range(const PlanOptions& options = {}) const {
+        return planningRange(problem, options, window.scene.part, boundingBox(environment));
     }
 
     testing::WindowScene window = testing::windowScene();
@@ -70,10 +70,10 @@ void checkSame(const PlanReport& whole, const PlanReport& reduced) {
                reduced.audit.segments[reduced.audit.closest].environmentMesh);
 }
 
-BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_out_of_reach) {
+BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_out_of_range) {
     for (const double margin : {0.0, 2.0}) {
         const TwoWalls walls(margin);
-        const Scene whole = walls.scene(), reduced = walls.scene(walls.reach());
+        const Scene whole = walls.scene(), reduced = walls.scene(walls.range());
         BOOST_TEST(reduced.obstacles[0].model.report().unreachableTriangles == 4 * 108u);
         for (const std::uint32_t seed : {1u, 2u}) {
             BOOST_TEST_CONTEXT("margin " << margin << ", seed " << seed) {
@@ -89,71 +89,71 @@ BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_path_with_and_without_what_is_
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_planar_problem_has_its_reach_in_the_plane) {
+BOOST_AUTO_TEST_CASE(a_planar_problem_has_its_range_in_the_plane) {
     TwoWalls walls;
     walls.problem.space = Space::kSe2;
     walls.problem.start.rotation = walls.problem.goal.rotation = Eigen::Quaterniond::Identity();
     walls.problem.volume = Box(Vector3(-80, -80, 0), Vector3(80, 80, 0));
-    const std::optional<Reach> reach = walls.reach();
-    BOOST_REQUIRE(reach.has_value());
-    BOOST_TEST(reach->positions.sizes().z() < 1e-6);
-    const Scene reduced = walls.scene(reach);
+    const std::optional<QueryRange> range = walls.range();
+    BOOST_REQUIRE(range.has_value());
+    BOOST_TEST(range->positions.sizes().z() < 1e-6);
+    const Scene reduced = walls.scene(range);
     BOOST_TEST(reduced.obstacles[0].model.report().unreachableTriangles > 0u);
     const PlanOptions options = withIterations(200000);
     checkSame(plan(walls.problem, walls.scene(), options), plan(walls.problem, reduced, options));
 }
 
-BOOST_AUTO_TEST_CASE(the_reach_holds_the_bounds_and_the_cap_all_that_planning_asks_with_the_part_on_top) {
+BOOST_AUTO_TEST_CASE(the_range_holds_the_bounds_and_the_cap_all_that_planning_asks_with_the_part_on_top) {
     TwoWalls walls(3);
     const double radius = walls.window.scene.part.radiusAboutOrigin();
-    const Reach reach = walls.reach().value();
-    BOOST_TEST(reach.positions.contains(*walls.problem.volume));
-    BOOST_TEST(reach.positions.min().x() < -80);  // a state at the border is within OMPL's bounds by rounding
-    BOOST_TEST(reach.positions.sizes().x() < 160 * (1 + 1e-6));
-    BOOST_TEST(reach.partRadius == radius);
-    BOOST_TEST(reach.cap == 3 + 1 + 2 * radius);
+    const QueryRange range = walls.range().value();
+    BOOST_TEST(range.positions.contains(*walls.problem.volume));
+    BOOST_TEST(range.positions.min().x() < -80);  // a state at the border is within OMPL's bounds by rounding
+    BOOST_TEST(range.positions.sizes().x() < 160 * (1 + 1e-6));
+    BOOST_TEST(range.partRadius == radius);
+    BOOST_TEST(range.cap == 3 + 1 + 2 * radius);
     walls.problem.fineness = 7;
-    BOOST_TEST(walls.reach()->cap == 3 + 7 + 2 * radius);
+    BOOST_TEST(walls.range()->cap == 3 + 7 + 2 * radius);
     walls.problem.fineness.reset();
-    BOOST_TEST(walls.reach()->cap == 3 + Vector3(60, 40, 10).norm() / 500 + 2 * radius,
+    BOOST_TEST(walls.range()->cap == 3 + Vector3(60, 40, 10).norm() / 500 + 2 * radius,
                boost::test_tools::tolerance(1e-12));
     walls.problem.planning.objective = "max_min_clearance";
-    BOOST_TEST(!walls.reach());  // clearances of any size count
+    BOOST_TEST(!walls.range());  // clearances of any size count
     PlanOptions options;
     options.objective = "length_with_clearance";
     options.wantedClearance = 20;
-    BOOST_TEST(walls.reach(options)->cap == 3 + 20 + 2 * radius);
+    BOOST_TEST(walls.range(options)->cap == 3 + 20 + 2 * radius);
     walls.problem.planning.sampler = "max_clearance";
-    BOOST_TEST(!walls.reach());
+    BOOST_TEST(!walls.range());
 }
 
 BOOST_AUTO_TEST_CASE(bounds_that_are_the_environments_box_leave_nothing_out) {
     TwoWalls walls;
     walls.problem.volume.reset();
-    BOOST_TEST(walls.scene(walls.reach()).obstacles[0].model.report().unreachableTriangles == 0u);
+    BOOST_TEST(walls.scene(walls.range()).obstacles[0].model.report().unreachableTriangles == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_meets_nothing_tells_the_cap_and_no_meshes) {
     TwoWalls walls;
     walls.environment = testing::translated(walls.window.wallMesh, {1000, 0, 0});
-    const PlanReport report = plan(walls.problem, walls.scene(walls.reach()), withIterations(200000));
+    const PlanReport report = plan(walls.problem, walls.scene(walls.range()), withIterations(200000));
     BOOST_REQUIRE((report.outcome == PlanReport::Outcome::kFound));
-    BOOST_TEST(report.audit.lowerClearance <= walls.reach()->cap);
-    BOOST_TEST(report.audit.lowerClearance >= 0.99 * walls.reach()->cap - 1e-3 * 73);
+    BOOST_TEST(report.audit.lowerClearance <= walls.range()->cap);
+    BOOST_TEST(report.audit.lowerClearance >= 0.99 * walls.range()->cap - 1e-3 * 73);
     BOOST_TEST(std::isinf(report.audit.upperClearance));
     const SegmentAudit& closest = report.audit.segments.at(report.audit.closest);
     BOOST_TEST(closest.partMesh == "");
     BOOST_TEST(closest.environmentMesh == "");
 }
 
-BOOST_AUTO_TEST_CASE(an_environment_of_too_small_a_reach_is_refused) {
+BOOST_AUTO_TEST_CASE(an_environment_of_too_small_a_range_is_refused) {
     TwoWalls walls(2);
-    const Reach right = walls.reach().value();
-    const auto planWith = [&](const Reach& reach) {
-        plan(walls.problem, walls.scene(reach), withIterations(10));
+    const QueryRange right = walls.range().value();
+    const auto planWith = [&](const QueryRange& range) {
+        plan(walls.problem, walls.scene(range), withIterations(10));
     };
     BOOST_CHECK_NO_THROW(planWith(right));
-    Reach wrong = right;
+    QueryRange wrong = right;
     wrong.positions.max().y() = 39;
     testing::requireRefusedBy([&] { planWith(wrong); }, {"leaves out positions within the bounds"});
     wrong = right;
@@ -180,9 +180,9 @@ struct CheckerFixture {
 BOOST_AUTO_TEST_CASE(a_checker_tells_clearance_up_to_the_cap_and_its_sign_always) {
     for (const double margin : {0.0, 2.0}) {
         const CheckerFixture f(margin);
-        Reach reach = f.walls.reach().value();
-        reach.cap = 5;
-        const ValidityChecker checker(f.si, f.walls.scene(reach)), whole(f.si, f.walls.scene());
+        QueryRange range = f.walls.range().value();
+        range.cap = 5;
+        const ValidityChecker checker(f.si, f.walls.scene(range)), whole(f.si, f.walls.scene());
         for (const double x : {-78.0, -60.0, -40.0, -36.0, -35.0, -34.5, -34.0, -33.0, -20.0}) {
             const auto state = f.at({x, 0, 0});
             BOOST_TEST(checker.isValid(state.get()) == whole.isValid(state.get()), "x " << x);
@@ -192,20 +192,20 @@ BOOST_AUTO_TEST_CASE(a_checker_tells_clearance_up_to_the_cap_and_its_sign_always
         }
     }
     const CheckerFixture f(5);
-    Reach reach = f.walls.reach().value();
-    reach.cap = 5;  // no more than the margin itself
-    const ValidityChecker checker(f.si, f.walls.scene(reach));
+    QueryRange range = f.walls.range().value();
+    range.cap = 5;  // no more than the margin itself
+    const ValidityChecker checker(f.si, f.walls.scene(range));
     BOOST_TEST(checker.clearance(f.at({-60, 0, 0}).get()) == std::numeric_limits<double>::denorm_min());
     BOOST_TEST(!checker.isValid(f.at({-36, 0, 0}).get()));
-    reach.cap = 4.9;
-    testing::requireRefusedBy([&] { ValidityChecker(f.si, f.walls.scene(reach)); },
+    range.cap = 4.9;
+    testing::requireRefusedBy([&] { ValidityChecker(f.si, f.walls.scene(range)); },
                               {"d is 5, expected at most 4.9"});
 }
 
-BOOST_AUTO_TEST_CASE(a_state_out_of_bounds_and_reach_is_out_of_bounds_and_not_without_a_pose) {
+BOOST_AUTO_TEST_CASE(a_state_out_of_bounds_and_range_is_out_of_bounds_and_not_without_a_pose) {
     for (const double margin : {0.0, 2.0}) {
         const CheckerFixture f(margin);
-        const ValidityChecker checker(f.si, f.walls.scene(f.walls.reach()));
+        const ValidityChecker checker(f.si, f.walls.scene(f.walls.range()));
         const auto state = f.at({-81, 0, 0});
         BOOST_TEST(!checker.isValid(state.get()));
         BOOST_TEST(checker.clearance(state.get()) == -margin);
@@ -218,12 +218,12 @@ BOOST_AUTO_TEST_CASE(a_state_out_of_bounds_and_reach_is_out_of_bounds_and_not_wi
 
 BOOST_AUTO_TEST_CASE(positions_may_lie_anywhere_off_the_origin) {
     const CheckerFixture f(0);
-    Reach reach = f.walls.reach().value();
-    reach.positions = Box(Vector3(40, 30, 20), Vector3(80, 40, 40));
-    const ValidityChecker checker(f.si, f.walls.scene(reach));
+    QueryRange range = f.walls.range().value();
+    range.positions = Box(Vector3(40, 30, 20), Vector3(80, 40, 40));
+    const ValidityChecker checker(f.si, f.walls.scene(range));
     BOOST_TEST(checker.isValid(f.at({60, 35, 30}).get()));
     ompl::msg::noOutputHandler();
-    BOOST_TEST(!checker.isValid(f.at({-60, 0, 0}).get()));  // within the bounds, but out of the reach
+    BOOST_TEST(!checker.isValid(f.at({-60, 0, 0}).get()));  // within the bounds, but out of the range
     ompl::msg::restorePreviousOutputHandler();
     BOOST_TEST(checker.counters().unusable == 1u);
 }

@@ -1,4 +1,4 @@
-#include "planning/improve/room_both_ways.h"
+#include "planning/improve/widen_both_ways.h"
 
 #include <ompl/base/ScopedState.h>
 
@@ -15,25 +15,26 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-WidePath wayShortened(const og::PathGeometric& path, const MotionValidator& validator, RoomOptions options) {
+WidePath wayShortened(const og::PathGeometric& path, const MotionValidator& validator,
+                      WideningOptions options) {
     WidePath way{std::make_shared<og::PathGeometric>(path), 0};
     const double floor = kClearanceBeforeBand * validator.scene().part.box().diagonal().norm();
     simplify(*way.path, validator, {std::max(floor, options.clearance), options.isSpent});
     // The shortened path keeps as much only to the audit's accuracy.
     options.clearance = 0;
-    way.clearance = makeRoom(*way.path, validator, options);
+    way.clearance = widenPath(*way.path, validator, options);
     return way;
 }
 
 }  // namespace
 
-double makeRoomBothWays(og::PathGeometric& path, const MotionValidator& validator,
-                        const RoomOptions& options) {
+double widenBothWays(og::PathGeometric& path, const MotionValidator& validator,
+                     const WideningOptions& options) {
     const WidePath shortened = wayShortened(path, validator, options);
-    const double clearance = makeRoom(path, validator, options);
+    const double clearance = widenPath(path, validator, options);
     const double radius = 0.5 * validator.scene().part.box().diagonal().norm();
     const WidePath asItIs{std::make_shared<og::PathGeometric>(path), clearance};
-    if (shortened.clearance < options.clearance || !isBetterWay(shortened, asItIs, radius)) return clearance;
+    if (shortened.clearance < options.clearance || !isBetterPath(shortened, asItIs, radius)) return clearance;
     path = *shortened.path;
     return shortened.clearance;
 }

@@ -11,7 +11,7 @@
 
 namespace clearway::planning {
 
-struct RoomLimits {
+struct WideningLimits {
     std::optional<std::uint64_t>
         sweeps;                  ///< of each band; then nothing is planned anew, and the answer is repeatable
     double planningSeconds = 0;  ///< that it took to find the path
@@ -24,6 +24,7 @@ struct RoomLimits {
 
 /// Gives a valid path of certified motions as much clearance as the limits allow. Without a limit of sweeps another way
 /// around obstacles may replace it. Returns the clearances that all motions keep before and after.
-RoomReport makeRoom(const PlanSetup& setup, ompl::geometric::PathGeometric& path, const RoomLimits& limits);
+WideningReport widenPath(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
+                         const WideningLimits& limits);
 
 }  // namespace clearway::planning

@@ -1,4 +1,4 @@
-#include "problem/start_cures.h"
+#include "problem/start_remedies.h"
 
 #include <algorithm>
 
@@ -51,36 +51,37 @@ std::vector<std::string> touchedObstacles(const Scene& scene, const Pose& X_envi
     return names;
 }
 
-std::vector<StartCure> startCures(const Problem& problem, const std::vector<std::string>& touched,
-                                  double length, bool mayOverlap) {
+std::vector<StartRemedy> startRemedies(const Problem& problem, const std::vector<std::string>& touched,
+                                       double length, bool mayOverlap) {
     const ObstacleRules& rules = problem.rules;
     const std::optional<ContactRule>& contact = rules.startContact;
     if (contact) length = std::max(length, contact->distance);
-    std::vector<StartCure> cures = {{"contact.start",
-                                     listed(contact ? contact->names : std::vector<std::string>(), touched) +
-                                         ", " + shortNumber(awayFromZero(length, 3)),
-                                     std::string("ignored until some point of the part has moved so far") +
-                                         (contact ? "; in place of the contact.start that is there" : "")},
-                                    {"ignore", listed(rules.ignored, touched), "left out"}};
+    std::vector<StartRemedy> remedies = {
+        {"contact.start",
+         listed(contact ? contact->names : std::vector<std::string>(), touched) + ", " +
+             shortNumber(awayFromZero(length, 3)),
+         std::string("ignored until some point of the part has moved so far") +
+             (contact ? "; in place of the contact.start that is there" : "")},
+        {"ignore", listed(rules.ignored, touched), "left out"}};
     if (mayOverlap) {
         const bool isThere = rules.overlap.common > 0 || !rules.overlap.byName.empty();
-        cures.push_back(
+        remedies.push_back(
             {"overlap", "X",
              std::string(isThere ? "more than is there: " : "") + "may reach so deep into the part"});
     }
-    return cures;
+    return remedies;
 }
 
 std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
                         bool mayOverlap) {
     const bool areMany = touched.size() > kMostTouched;
-    const auto cures =
-        startCures(problem, areMany ? std::vector<std::string>{"NAMES"} : touched, length, mayOverlap);
+    const auto remedies =
+        startRemedies(problem, areMany ? std::vector<std::string>{"NAMES"} : touched, length, mayOverlap);
     std::string advice = "; if the parts are assembled so, write in [clearway] ";
-    for (std::size_t i = 0; i < cures.size(); ++i) {
-        const bool isLast = i + 1 == cures.size();
-        if (i > 0) advice += !isLast ? ", " : cures.size() > 2 ? ", or " : " or ";
-        advice += cures[i].key + " = " + cures[i].value + " (" + cures[i].effect + ")";
+    for (std::size_t i = 0; i < remedies.size(); ++i) {
+        const bool isLast = i + 1 == remedies.size();
+        if (i > 0) advice += !isLast ? ", " : remedies.size() > 2 ? ", or " : " or ";
+        advice += remedies[i].key + " = " + remedies[i].value + " (" + remedies[i].effect + ")";
     }
     return advice;
 }
