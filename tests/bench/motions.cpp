@@ -85,7 +85,7 @@ class Bench {
                         figures->certified.size(), certifiedUs, discreteUs, discreteUs / certifiedUs);
         }
         const auto roomy = static_cast<double>(roomy_.margined.size());
-        rows += row(scene, "valid with room, steps of the margin", roomy_.margined.size(),
+        rows += row(scene, "valid with clearance, steps of the margin", roomy_.margined.size(),
                     1e6 * sum(roomy_.margined) / roomy, 1e6 * sum(roomy_.stepped) / roomy, share);
         return rows + row(scene, "queries over the integral of ds / clearance", valid_.certified.size(), 0, 0,
                           valid_.queries / valid_.integral);

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
     wrong.translation.x() = 1e30;
     requireRefused([&] { ask(wrong, {}); }, "expected");
     wrong = motion;
-    wrong.turn.x() = 1e30;
+    wrong.rotation.x() = 1e30;
     requireRefused([&] { ask(wrong, {}); }, "expected");
     wrong = motion;
     wrong.start.rotation *= 2;

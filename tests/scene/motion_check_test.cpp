@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_turn_that_meets_a_post_half_way_is_found) {
     const Model rod = boxModel({-3, -0.1, -0.1}, {3, 0.1, 0.1});
     const Vector3 up = Vector3::UnitZ();
     const RigidMotion quarter = motionBetween(turned(0, up), turned(1.5, up));
-    BOOST_TEST((quarter.turn - 1.5 * up).norm() < 1e-14);
+    BOOST_TEST((quarter.rotation - 1.5 * up).norm() < 1e-14);
     const double corner = 2 / std::sqrt(2.0);
     const SceneClearance met(Scene(rod, boxModel({corner, corner, -1}, {corner + 0.01, corner + 0.01, 1})));
     BOOST_TEST(met.isFree(turned(0, up)));
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(the_motion_between_two_poses_ends_at_the_second) {
         };
         const Pose from = pose(), to = pose();
         const RigidMotion motion = motionBetween(from, to);
-        BOOST_TEST(motion.turn.norm() <= 3.1416);
+        BOOST_TEST(motion.rotation.norm() <= 3.1416);
         const Pose end = piecesOf(motion, kCube)(1, 1).middle;
         BOOST_TEST((end.rotation - to.rotation).norm() < 1e-14);
         BOOST_TEST((end.translation - to.translation).norm() < 1e-15);

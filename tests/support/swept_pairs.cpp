@@ -25,8 +25,8 @@ SweptPair::SweptPair(std::string theName, const Mesh& partMesh, const Mesh& envi
       size(part.box().diagonal().norm() + environment.box().diagonal().norm()) {}
 
 Pose poseAt(const RigidMotion& motion, double time) {
-    const double angle = motion.turn.norm();
-    const Matrix3 turned = angle > 0 ? Eigen::AngleAxisd(time * angle, motion.turn / angle).toRotationMatrix()
+    const double angle = motion.rotation.norm();
+    const Matrix3 turned = angle > 0 ? Eigen::AngleAxisd(time * angle, motion.rotation / angle).toRotationMatrix()
                                      : Matrix3::Identity();
     return {motion.start.rotation * turned, motion.start.translation + time * motion.translation};
 }
@@ -60,7 +60,7 @@ RigidMotion randomMotion(Random& random, const SweptPair& pair) {
     motion.start.translation += pair.centre;
     motion.translation =
         random.direction() * pair.size * std::pow(10, random.uniform(-3, 0)) * (random.below(4) > 0);
-    motion.turn = random.direction() * std::pow(10, random.uniform(-4, 0.49)) * (random.below(4) > 0);
+    motion.rotation = random.direction() * std::pow(10, random.uniform(-4, 0.49)) * (random.below(4) > 0);
     return motion;
 }
 

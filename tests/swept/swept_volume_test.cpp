@@ -21,11 +21,11 @@ namespace {
 
 /// The pose at a time, by the definition of RigidMotion.
 Pose poseAt(const RigidMotion& motion, double t) {
-    const double angle = t * motion.turn.norm();
+    const double angle = t * motion.rotation.norm();
     Pose pose = motion.start;
     if (angle > 0) {
         pose.rotation =
-            motion.start.rotation * Eigen::AngleAxisd(angle, motion.turn.normalized()).toRotationMatrix();
+            motion.start.rotation * Eigen::AngleAxisd(angle, motion.rotation.normalized()).toRotationMatrix();
     }
     pose.translation += t * motion.translation;
     return pose;
@@ -71,7 +71,7 @@ void checkSwept(const Mesh& part, const std::vector<RigidMotion>& motions, doubl
         const Vector3 point = pointOn(random, swept);
         double least = std::numeric_limits<double>::infinity();
         for (const RigidMotion& motion : motions) {
-            const double step = (motion.translation.norm() + radius * motion.turn.norm()) / kPoses;
+            const double step = (motion.translation.norm() + radius * motion.rotation.norm()) / kPoses;
             for (int i = 0; i <= kPoses; ++i) {
                 const double found = distanceTo(model, poseAt(motion, double(i) / kPoses), point);
                 BOOST_REQUIRE_GT(found, 0);

@@ -37,9 +37,9 @@ constexpr double kBoundsSlack = 1e-9;
 constexpr double kLeastFinishing = 5;
 
 /// Seconds that widening gets: as many as planning took, within these, and within half of the time left. It gets up to
-/// kGrowing times as many, within kMostWidening, while the clearance still grows fast,
+/// kGrowing times as many, within kMostWideningSeconds, while the clearance still grows fast,
 /// and a quarter more before a second way was widened.
-constexpr double kLeastWidening = 1, kMostWidening = 5, kGrowing = 3;
+constexpr double kLeastWideningSeconds = 1, kMostWideningSeconds = 5, kGrowing = 3;
 constexpr double kWideningShare = 0.5;
 /// With iterations a sweep of a band counts as so many of them. A sweep and as many iterations of RRTConnect take about
 /// the same time, and the most and the least sweeps about the seconds above.
@@ -78,10 +78,10 @@ class Budget {
         if (!seconds_) return;
         const double planned = secondsSince(begin_);
         const double left = std::max(0.0, *seconds_ - planned);
-        const double seconds = std::clamp(planned, kLeastWidening, kMostWidening);
+        const double seconds = std::clamp(planned, kLeastWideningSeconds, kMostWideningSeconds);
         wideningDueSeconds_ = planned + std::min(kWideningShare * left, seconds);
         wideningSeconds_ =
-            planned + std::min(kWideningShare * left, std::min(kGrowing * seconds, kMostWidening));
+            planned + std::min(kWideningShare * left, std::min(kGrowing * seconds, kMostWideningSeconds));
     }
 
     std::optional<std::uint64_t> wideningSweeps() const {
