@@ -96,17 +96,20 @@ struct WhyInvalid {
 
     /// A coordinate that is out of its bounds; environment units.
     struct Coordinate {
-        char name;  ///< 'x', 'y' or 'z'
-        double value, least, most;
+        char name;     ///< 'x', 'y' or 'z'
+        double value;  ///< where the part is
+        double least;  ///< bound
+        double most;   ///< bound
     };
 
     Kind kind = Kind::kValid;  ///< what is wrong
-    std::optional<std::size_t>
-        obstacle;           ///< index into Scene::obstacles; none unless an obstacle is the reason
+    /// Index into Scene::obstacles; none unless an obstacle is the reason.
+    std::optional<std::size_t> obstacle;
     SceneDistance nearest;  ///< the closest pair of triangles, of kCollides, kTooDeep and kTooClose
-    /// The meshes of that pair, or of the solid and of what is inside it: see distinctMeshNames.
-    std::string partMesh, environmentMesh;
-    bool isPartInside = false;  ///< kInSolid: the part is inside the obstacle
+    /// The part's mesh of that pair, or the one in or around the solid: see distinctMeshNames.
+    std::string partMesh;
+    std::string environmentMesh;  ///< the obstacle's mesh of that pair, or the solid
+    bool isPartInside = false;    ///< kInSolid: the part is inside the obstacle
     /// What the distance must be above, or of kTooDeep the depth that is allowed; environment units.
     double limit = 0;
     std::optional<Coordinate> coordinate;  ///< of kOutOfBounds in SE(3) and SE(2)
@@ -283,7 +286,7 @@ class SceneClearance {
     /// Why a pose is not valid, whatever the bounds. A pose that queries refuse is kNoPose or kOutOfRange.
     WhyInvalid whyInvalid(const Pose& X_environmentPart) const;
 
-    /// Likewise for a pose whose clearance at() found. Throws what queries throw.
+    /// Why a pose is not valid, by the answer `found` of at() there. Throws what queries throw.
     WhyInvalid whyInvalid(const Pose& X_environmentPart, const PoseClearance& found) const;
 
     /// True when an obstacle was built with a range that does not hold the pose, so that queries would throw.
@@ -326,7 +329,7 @@ class SceneClearance {
 
 /// Certifies two states of OMPL's SE(3) and all poses between them, as OMPL interpolates them: straight, with the turn of its slerp,
 /// unless that is so little that OMPL leaves it out. Undecided within 1e-5 of the part's diagonal of a margin. Throws
-/// std::invalid_argument unless the quaternions have unit length to within 1e-9, and what queries throw.
+/// ArgumentError unless the quaternions have unit length to within 1e-9, and what queries throw.
 SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to);
 
 /// Certifies two states of OMPL's SE(2) in the same way. A state is (x, y, yaw): environment units, and radians about z. The part

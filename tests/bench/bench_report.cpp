@@ -1,7 +1,7 @@
 #include "bench/bench_report.h"
 
-#include <algorithm>
-#include <iomanip>
+#include <fmt/format.h>
+
 #include <ostream>
 #include <sstream>
 
@@ -27,97 +27,18 @@ Work workOf(const Series& series) {
     return work;
 }
 
-/// "12.3", "1480", "0.0312".
-std::string rounded(double value) {
-    std::ostringstream text;
-    text << std::setprecision(3) << value;
-    if (value >= 1000 && value < 1e9) {
-        text.str("");
-        text << std::fixed << std::setprecision(0) << value;
-    }
-    return text.str();
-}
-
 /// A field of a CSV file.
 std::string quoted(const std::string& text) {
     return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-std::string microseconds(const Series& series) {
-    const std::vector<double> times = series.medians();
-    return rounded(mean(times) / 1000) + " us (median " + rounded(median(times) / 1000) + ")";
 }
 
 int wrongOf(const BenchReport& report, const Series& series) {
     return report.judgement.wrong[static_cast<std::size_t>(&series - report.all.data())];
 }
 
-void printPoses(std::ostream& out, const BenchReport& report) {
-    const BenchTask& task = report.task;
-    std::vector<double> clearances;
-    for (const double distance : report.judgement.distances) {
-        if (distance > 0) clearances.push_back(100 * distance / task.partSize());
-    }
-    const std::vector<double> steps = stepsBetween(task.poses, boundingBox(task.part));
-    out << task.name << ": " << task.about << "; " << task.part.triangles.size() << " / "
-        << task.environment.triangles.size() << " triangles, " << task.poses.size() << " poses, "
-        << report.judgement.collidingPoses() << " colliding";
-    if (!clearances.empty()) {
-        out << ", the others at " << rounded(least(clearances)) << " to " << rounded(largest(clearances))
-            << " % of the part's size (median " << rounded(median(clearances)) << ")";
-    }
-    if (!steps.empty()) {
-        out << "; steps of " << rounded(100 * median(steps)) << " % (largest "
-            << rounded(100 * largest(steps)) << ")";
-    }
-    out << '\n';
-}
-
-void printSeries(std::ostream& out, const BenchReport& report) {
-    for (const Series& series : report.all) {
-        const Work work = workOf(series);
-        out << "  " << std::left << std::setw(20) << series.asked << std::setw(22) << series.engine
-            << std::setw(32) << microseconds(series) << "x" << series.nanoseconds.size() << "  wrong "
-            << wrongOf(report, series);
-        if (series.askAll) out << "; " << rounded(1e9 / mean(series.medians())) << " queries/s";
-        if (work.volumeTests > 0) {
-            out << "; nodes " << rounded(work.nodeVisits) << ", volumes " << rounded(work.volumeTests)
-                << ", triangle pairs " << rounded(work.triangleTests) << ", refined "
-                << rounded(work.refinedPairs);
-        }
-        out << '\n';
-    }
-}
-
-void printRatios(std::ostream& out, const BenchReport& report) {
-    for (const Comparison& row : comparisons(report.all)) {
-        const std::vector<double> values = ratios(*row.ours, *row.theirs);
-        out << "  " << std::left << std::setw(20) << row.ours->asked << std::setw(22) << row.ours->engine
-            << "over " << std::setw(22)
-            << (row.theirs->asked == row.ours->asked ? "" : row.theirs->asked + " by ") + row.theirs->engine
-            << "x " << rounded(median(values)) << " (" << rounded(least(values)) << " to "
-            << rounded(largest(values)) << ")\n";
-    }
-}
-
-void printBuilds(std::ostream& out, const BenchReport& report) {
-    for (const BuildRow& row : report.builds) {
-        out << "  build               " << std::left << std::setw(27) << row.name
-            << rounded(median(row.seconds)) << " s";
-        if (!row.ratios.empty()) {
-            out << ", " << rounded(median(row.ratios)) << " times FCL RSS's (" << rounded(least(row.ratios))
-                << " to " << rounded(largest(row.ratios)) << ")";
-        }
-        if (row.bytesPerTriangle > 0) out << ", " << rounded(row.bytesPerTriangle) << " bytes a triangle";
-        out << '\n';
-    }
-}
-
 /// Six significant digits, for tables.
 std::string figure(double value) {
-    std::ostringstream text;
-    text << std::setprecision(6) << value;
-    return text.str();
+    return fmt::format("{:.6g}", value);
 }
 
 /// Time and work of one side of a comparison.
@@ -142,16 +63,6 @@ void writeRange(std::ostream& out, const std::vector<double>& values) {
 }
 
 }  // namespace
-
-void printReport(std::ostream& out, const BenchReport& report) {
-    printPoses(out, report);
-    printBuilds(out, report);
-    printSeries(out, report);
-    printRatios(out, report);
-    out << "  the oracle was asked about " << report.judgement.askedPoses() << " poses\n";
-    for (const std::string& complaint : report.judgement.complaints) out << "  WRONG: " << complaint << '\n';
-    out << std::flush;
-}
 
 std::string summaryHeader() {
     return "scene,scene_name,part_triangles,environment_triangles,poses,colliding,question,engine,over_"

@@ -1,7 +1,6 @@
-// Prints the figures of a scene as text and writes them as CSV files.
+// The figures of a scene as rows of CSV files.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,6 @@ struct BenchReport {
     const Judgement& judgement;
     const std::vector<BuildRow>& builds;
 };
-
-void printReport(std::ostream& out, const BenchReport& report);
 
 /// Writes the rows of comparisons(): the ratio of times with its least and largest value over the
 /// repetitions; then for both sides the time and work of a query and the number of wrong answers.

@@ -1,9 +1,9 @@
 #include "bench/error_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <ostream>
 #include <sstream>
 
 #include "core/number.h"
@@ -12,9 +12,7 @@ namespace clearway::testing {
 namespace {
 
 std::string inShort(double value) {
-    std::ostringstream text;
-    text << std::setprecision(4) << value;
-    return text.str();
+    return fmt::format("{:.4g}", value);
 }
 
 /// The median, the 99.9th percentile and the worst value as CSV fields; empty fields without values.
@@ -78,36 +76,6 @@ std::vector<std::string> faults(const ErrorReport& report) {
         }
     }
     return lines;
-}
-
-void print(std::ostream& out, const ErrorReport& report) {
-    out << report.scene << ": " << report.about << ", " << report.poses << " poses, " << report.colliding
-        << " colliding; true distances by the oracle\n";
-    for (std::size_t k = 0; k < report.margins.size(); ++k) {
-        const PosesNearMargin& near = report.margins[k];
-        out << "  margin " << inShort(report.marginShares[k]) << ": " << near.poses.size() << " poses, "
-            << near.validPoses() << " valid, " << near.undecided << " left out\n";
-    }
-    out << "  lengths in scene sizes                 error                         width\n"
-        << "  mode                  queries/s  x float  median    p99.9     worst     median    worst     "
-           "outside"
-           "  false valid, false invalid at each margin\n";
-    for (const ModeFigures& mode : report.modes) {
-        const std::vector<std::string> errors = fields(mode.errors), widths = fields(mode.widths);
-        out << "  " << std::left << std::setw(22) << mode.mode << std::setw(11)
-            << inShort(mode.queriesPerSecond) << std::setw(9) << inShort(mode.overFloatOnly);
-        for (const std::string& field : {errors[0], errors[1], errors[2], widths[0], widths[2]}) {
-            out << std::setw(10) << field;
-        }
-        out << std::setw(9) << mode.outside;
-        for (const VerdictCounts& counts : mode.verdicts) {
-            out << "  " << counts.falseValid << ", " << counts.falseInvalid;
-        }
-        if (mode.beyondCap > 0) out << "  (" << mode.beyondCap << " beyond the cap)";
-        out << '\n';
-    }
-    for (const std::string& line : faults(report)) out << "  WRONG: " << line << '\n';
-    out << std::flush;
 }
 
 std::string errorHeader(const std::vector<double>& marginShares) {

@@ -1,7 +1,6 @@
-// Reports the speed and the errors of each mode, as text and as CSV.
+// The speed and the errors of each mode, as rows of a CSV file.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -52,8 +51,6 @@ ModeFigures figuresOf(const Mode& mode, const Series& floatOnly, const std::vect
 /// poses called valid that touch or are no farther than the margin; and for isWithin valid poses called
 /// invalid.
 std::vector<std::string> faults(const ErrorReport& report);
-
-void print(std::ostream& out, const ErrorReport& report);
 
 std::string errorHeader(const std::vector<double>& marginShares);
 std::string errorRows(const ErrorReport& report);

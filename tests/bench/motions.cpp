@@ -55,7 +55,7 @@ class Bench {
         : scene_{Model::build(partMesh), Model::build(environmentMesh), problem.margin},
           recorder_(problem, scene_, kRangePerDiagonal * scene_.part.box().diagonal().norm()) {}
 
-    /// Prints the figures and returns them as rows of a table that begin with `scene`.
+    /// Returns the figures as rows of a table that begin with `scene`.
     std::string run(std::size_t edges, const std::string& scene) {
         const std::vector<Edge> recorded = recorder_.record(edges);
         const auto si = recorder_.makeSpaceInformation(scene_);
@@ -69,13 +69,7 @@ class Bench {
             figures.discrete.push_back(discretePass.seconds[i]);
             if (certifiedPass.isValid[i]) measureValid(si, certified, recorded[i]);
         }
-        print("invalid", invalid_);
-        print("valid", valid_);
         const double share = sum(roomy_.stepped) / sum(roomy_.margined);
-        std::cout << "valid: queries per integral of ds / clearance: " << valid_.queries / valid_.integral
-                  << "\nmargin " << kSmallMargin << ", mean clearance from " << kRoomy << ": "
-                  << roomy_.margined.size() << " edges, certified " << sum(roomy_.margined) << " s, steps of "
-                  << kSmallMargin << " " << sum(roomy_.stepped) << " s: " << share << " times\n";
         std::string rows;
         for (const auto* figures : {&valid_, &invalid_}) {
             const double certifiedUs = 1e6 * median(figures->certified),
@@ -158,14 +152,6 @@ class Bench {
         return text + "\n";
     }
 
-    static void print(const char* what, const Figures& figures) {
-        const double certified = median(figures.certified), discrete = median(figures.discrete);
-        std::cout << what << ": " << figures.certified.size() << " edges, certified " << certified * 1e6
-                  << " us in the median, discrete at OMPL's default " << discrete * 1e6
-                  << " us: " << certified / discrete << "; in the mean "
-                  << sum(figures.certified) / sum(figures.discrete) << "\n";
-    }
-
     Scene scene_;
     EdgeRecorder recorder_;
     Figures valid_, invalid_, roomy_;
@@ -192,6 +178,7 @@ int run(int count, char** words) {
         const GeneratedScene made = row.make(row.defaults);
         table += Bench(made.problem, made.part, made.environment).run(edges, name);
     }
+    std::cout << table;
     if (count > 4) replaceFile(words[4], [&](std::ostream& out) { out << table; });
     return 0;
 }

@@ -28,8 +28,12 @@ void write(const std::string& folder, const std::string& name, const std::string
 }
 
 void writeTables(const BenchChoices& choices, const BenchReport& report, Tables& tables) {
-    tables.summary += summaryRows(report);
-    tables.builds += buildsRows(report);
+    const std::string summary = summaryRows(report), builds = buildsRows(report);
+    std::cout << summaryHeader() << summary << buildsHeader() << builds << std::flush;
+    for (const std::string& complaint : report.judgement.complaints)
+        std::cout << "WRONG: " << complaint << std::endl;
+    tables.summary += summary;
+    tables.builds += builds;
     if (choices.out.empty()) return;
     write(choices.out, "poses_" + report.task.name + ".csv", posesTable(report));
     write(choices.out, "summary.csv", tables.summary);
@@ -53,7 +57,6 @@ std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool wit
     const Judgement judgement =
         judge(all, task.poses.size(), kAgreement * task.sceneSize(), lazyOracle(task), choices.oraclePoses);
     const BenchReport report{task, all, judgement, builds};
-    printReport(std::cout, report);
     writeTables(choices, report, tables);
     return judgement.complaints.size();
 }

@@ -1,12 +1,12 @@
 // Measures how much each sampler of valid states helps a roadmap: plans problems by PRM with each sampler and
 // seeds 1 to N, and writes how many paths were found and how soon.
 //   benchmarks samplers PROBLEM.cfg SEEDS SECONDS OUT.csv [SAMPLER...]
-#include <algorithm>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "bench/benchmarks.h"
+#include "bench/series.h"
 #include "clearway/planning/plan.h"
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -18,11 +18,6 @@ using planning::PlanReport;
 
 const std::vector<std::string> kSamplers = {"uniform", "gaussian", "bridge_test", "contact_normal",
                                             "narrow_gap"};
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 }  // namespace
 

@@ -89,12 +89,15 @@ int run(const ErrorChoices& choices) {
     std::cout << "best target " << currentTarget() << "; of each time, the clock takes " << clockNanoseconds()
               << " ns\n";
     std::string table = errorHeader(kMarginShares);
+    std::cout << table;
     std::size_t wrong = 0;
     for (const std::string& name : choices.scenes) {
         const ErrorReport report = measure(makeTask(choices, name), choices);
-        print(std::cout, report);
+        const std::string rows = errorRows(report);
+        std::cout << rows;
+        for (const std::string& fault : faults(report)) std::cout << "WRONG: " << fault << std::endl;
         wrong += faults(report).size();
-        table += errorRows(report);
+        table += rows;
         writeTable(choices.out, "speed_error.csv", table);
     }
     return wrong == 0 ? 0 : 1;

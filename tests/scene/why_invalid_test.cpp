@@ -39,8 +39,9 @@ struct PegAndBlock {
 WhyInvalid filled(Kind kind) {
     WhyInvalid why;
     why.kind = kind;
-    why.nearest.partTriangle = 7;
-    why.nearest.environmentTriangle = 8;
+    why.nearest.witness.emplace();
+    why.nearest.witness->partTriangle = 7;
+    why.nearest.witness->environmentTriangle = 8;
     why.nearest.distance = 0.25;
     why.partMesh = "peg";
     why.environmentMesh = "block";
@@ -92,7 +93,8 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_collide) {
     BOOST_TEST(*why.obstacle == 0u);
     BOOST_TEST(why.partMesh == "peg");
     BOOST_TEST(why.environmentMesh == "block");
-    BOOST_TEST(why.nearest.partTriangle >= 0);
+    BOOST_TEST_REQUIRE(why.nearest.witness.has_value());
+    BOOST_TEST(why.nearest.witness->partTriangle >= 0);
     BOOST_TEST(why.nearest.collides());
     BOOST_TEST(why.limit == 0);
     BOOST_TEST(why.unit == "mm");

@@ -178,12 +178,6 @@ void drawSign(Sign sign, const Area& area, Image& image) {
     }
 }
 
-std::string wordsOf(Sign sign) {
-    const auto row = std::find_if(std::begin(kSigns), std::end(kSigns),
-                                  [&](const NamedSign& named) { return named.sign == sign; });
-    return row->words;
-}
-
 /// One row for each sign, as far as rows that can be read have room.
 void drawSigns(const Layout& layout, const std::vector<Sign>& signs, Image& image) {
     if (signs.empty()) return;
@@ -207,6 +201,12 @@ void drawSigns(const Layout& layout, const std::vector<Sign>& signs, Image& imag
 }
 
 }  // namespace
+
+std::string wordsOf(Sign sign) {
+    const auto row = std::find_if(std::begin(kSigns), std::end(kSigns),
+                                  [&](const NamedSign& named) { return named.sign == sign; });
+    return row->words;
+}
 
 std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover) {
     const auto holds = [&](PoseRole role) {

@@ -27,7 +27,7 @@ constexpr int kOraclePoses = 100;
 
 struct Run {
     bool isFound = false, isValid = false;
-    double seconds = 0, clearance = 0, length = 0, turned = 0;
+    double seconds = 0, clearance = 0, length = 0, rotation = 0;
     std::uint64_t checks = 0;
     std::string foundBy, note;
     std::vector<PartState> path;

@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(a_part_may_sink_into_a_floor_as_deep_as_the_overlap) {
     BOOST_TEST(why.limit == 0.5);
     BOOST_TEST(why.environmentMesh == "floor");
     BOOST_TEST(why.partMesh == "part");
-    BOOST_TEST(why.nearest.environmentTriangle >= 0);
+    BOOST_TEST_REQUIRE(why.nearest.witness.has_value());
+    BOOST_TEST(why.nearest.witness->environmentTriangle >= 0);
     const WhyInvalid within = space.checker->whyInvalid(space.at({0, 0, -5}).get());
     BOOST_TEST((within.kind == WhyInvalid::Kind::kInSolid));
     BOOST_TEST(within.environmentMesh == "floor");

@@ -141,11 +141,11 @@ BOOST_AUTO_TEST_CASE(what_the_samplers_cannot_work_with_is_refused_by_name) {
     const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
     space->setBounds(-100, 100);
     const auto si = std::make_shared<ob::SpaceInformation>(space);
-    si->setStateValidityChecker(
-        std::make_shared<ValidityChecker>(si, f.window.scene, [](const ob::State* state) {
-            const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
-            return Pose{Matrix3::Identity(), {x[0], x[1], x[2]}};
-        }));
+    const StateToPose pose = [](const ob::State* state) {
+        const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+        return Pose{Matrix3::Identity(), {x[0], x[1], x[2]}};
+    };
+    si->setStateValidityChecker(std::make_shared<ValidityChecker>(si, SharedScene(f.window.scene, pose)));
     BOOST_CHECK_EXCEPTION(ContactNormalSampler{si.get()}, std::invalid_argument,
                           names("contact_normal", space->getName()));
 }
