@@ -26,8 +26,9 @@ SweptPair::SweptPair(std::string theName, const Mesh& partMesh, const Mesh& envi
 
 Pose poseAt(const RigidMotion& motion, double time) {
     const double angle = motion.rotation.norm();
-    const Matrix3 turned = angle > 0 ? Eigen::AngleAxisd(time * angle, motion.rotation / angle).toRotationMatrix()
-                                     : Matrix3::Identity();
+    const Matrix3 turned = angle > 0
+                               ? Eigen::AngleAxisd(time * angle, motion.rotation / angle).toRotationMatrix()
+                               : Matrix3::Identity();
     return {motion.start.rotation * turned, motion.start.translation + time * motion.translation};
 }
 

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(answers_about_a_motion_are_true_of_its_poses) {
 /// close to contact that its report gives up where checkMotion goes on.
 BOOST_AUTO_TEST_CASE(answers_are_true_at_borders_and_beside_contact) {
     const std::pair<std::string, int> found[] = {{"assembly, far off centre", 907},
-                                                 {"plane, far, off centre, reach", 1430}};
+                                                 {"plane, far, off centre, range", 1430}};
     const std::vector<CrowdedLayout> layouts = crowdedLayouts();
     TallyOfKinds kinds;
     for (const auto& [name, seed] : found) {

@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_to
     BOOST_TEST(outcome.code == 0, outcome.err);
     BOOST_TEST(outcome.err == "");
     BOOST_TEST((sizeOfPng(readText(folder.file("out.png"))) == std::pair(160, 90)));
-    BOOST_TEST(holds(row(outcome, "pose at 0.5"), "IN COLLISION"), outcome.out);
+    BOOST_TEST(holds(row(outcome, "pose at 0.5"), "NOT valid: in collision"), outcome.out);
     const auto poses = jsonIn(folder, "facts.json")["poses"];
     BOOST_TEST_REQUIRE(poses.size() == 3u);
     for (const int free : {0, 2}) {
