@@ -47,12 +47,15 @@ int main(int argc, char** argv) try {
     const cp::PathAudit audit = cp::simplify(path, cp::motionValidatorOf(si), keep);
     std::printf("shortened by motions that keep it, to a length of %.0f\n", path.length());
     const cp::SegmentAudit& tight = audit.segments[audit.closest];
-    std::printf("audit: %s, least clearance %.3f to %.3f, between '%s' and '%s' at (%.1f, %.1f, %.1f)\n",
+    std::printf("audit: %s, least clearance %.3f to %.3f",
                 audit.isValid() ? "valid along the whole path" : "NOT valid", audit.lowerClearance,
-                audit.upperClearance, tight.partMesh.c_str(), tight.environmentMesh.c_str(),
-                tight.motion.closest.witness->pointOnEnvironment.x(),
-                tight.motion.closest.witness->pointOnEnvironment.y(),
-                tight.motion.closest.witness->pointOnEnvironment.z());
+                audit.upperClearance);
+    if (const auto& witness = tight.motion.closest.witness) {
+        const clearway::Vector3& at = witness->pointOnEnvironment;
+        std::printf(", between '%s' and '%s' at (%.1f, %.1f, %.1f)", tight.partMesh.c_str(),
+                    tight.environmentMesh.c_str(), at.x(), at.y(), at.z());
+    }
+    std::printf("\n");
     clearway::writePath(cp::partStates(path), problem.space, argv[2]);
     std::printf("written to %s\n", argv[2]);
     return audit.isValid() ? 0 : 1;

@@ -108,7 +108,7 @@ void bindWhyInvalid(py::module_& module) {
         R"(What is wrong with a pose. str() is the reason in words, after "is"; false when nothing is wrong.)")
         .def_property_readonly(
             "kind", [](const WhyInvalid& why) { return nameOf(why.kind); },
-            R"("valid", "collides", "too deep", "inside a solid", "too close", "no pose" or "out of range".)")
+            R"("valid", "collides", "too deep", "inside a solid", "too close", "out of range" or "unusable".)")
         .def_readonly("obstacle", &WhyInvalid::obstacle,
                       R"(Index into Scene.obstacles; None unless an obstacle is the reason.)")
         .def_readonly("part_mesh", &WhyInvalid::partMesh, R"(Name of the part's mesh, or "".)")

@@ -29,11 +29,11 @@ struct CertifiedShares {
 /// A share from this on stands for all of a half piece; what it is above 1 covers the rounding of comparisons.
 constexpr float kWholeShare = 1 + 0x1p-20f;
 
-/// clearance / closing, and a large number where nothing comes closer; 0 where clearance is not above 0 or not a number.
+/// excess / closing, and a large number where nothing comes closer; 0 where excess is not above 0 or not a number.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V ShareOf(D d, V clearance, V closing) {
-    const V share = hn::Div(clearance, hn::Max(closing, hn::Set(d, 1e-30f)));
-    return hn::IfThenElseZero(hn::And(hn::Gt(clearance, hn::Zero(d)), hn::Ge(share, hn::Zero(d))), share);
+HWY_INLINE V ShareOf(D d, V excess, V closing) {
+    const V share = hn::Div(excess, hn::Max(closing, hn::Set(d, 1e-30f)));
+    return hn::IfThenElseZero(hn::And(hn::Gt(excess, hn::Zero(d)), hn::Ge(share, hn::Zero(d))), share);
 }
 
 /// The lanes that are certified throughout, as bits.

@@ -38,7 +38,7 @@ HWY_INLINE void CertifyAlong(D d, const Lanes3<V>& v, const RelativeRectangles<V
                              const LaneVelocities<V>& velocity, CertifiedShares<V>& shares) {
     const Slabs<V> slabs = SlabsAcross(v, r);
     const V length = hn::Sqrt(slabs.lengthSquared);
-    const V clearance = hn::NegMulAdd(length, radii, hn::Sub(hn::Abs(slabs.along), slabs.reach));
+    const V excess = hn::NegMulAdd(length, radii, hn::Sub(hn::Abs(slabs.along), slabs.reach));
     const Lanes3<V> spin = Cross(v, velocity.turn);
     V spread = hn::MulAdd(length, velocity.deviation,
                           hn::Mul(hn::Sqrt(Dot(spin, spin)), hn::Add(movingRadius, velocity.bow)));
@@ -52,9 +52,9 @@ HWY_INLINE void CertifyAlong(D d, const Lanes3<V>& v, const RelativeRectangles<V
     // v or -v points from the one to the lane.
     const V towardsLane = hn::Xor(Dot(v, velocity.centre), hn::And(slabs.along, hn::Set(d, -0.0f)));
     const V closing = kLanesMove ? hn::Neg(towardsLane) : towardsLane;
-    const V usableClearance = hn::IfThenElseZero(IsUsableToMove(d, slabs.lengthSquared), clearance);
-    shares.raise(ShareOf(d, usableClearance, hn::Add(spread, closing)),
-                 ShareOf(d, usableClearance, hn::Sub(spread, closing)));
+    const V usableExcess = hn::IfThenElseZero(IsUsableToMove(d, slabs.lengthSquared), excess);
+    shares.raise(ShareOf(d, usableExcess, hn::Add(spread, closing)),
+                 ShareOf(d, usableExcess, hn::Sub(spread, closing)));
 }
 
 /// The gaps and shares of a node's children.

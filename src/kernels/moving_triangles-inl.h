@@ -109,9 +109,9 @@ HWY_INLINE void CertifyTrianglesAlong(D d, const Lanes3<V>& v, const TrianglePai
     const V down = hn::Neg(hn::Min(moves.corner[0], hn::Min(moves.corner[1], moves.corner[2])));
     const V after = hn::Add(hn::IfThenElse(isAbove, up, down), moves.bow);
     const V before = hn::Add(hn::IfThenElse(isAbove, down, up), moves.bow);
-    const V clearance = hn::Sub(gap, need);
-    shares.raise(ShareOf(d, clearance, hn::MulAdd(after, inverse, field.deviation)),
-                 ShareOf(d, clearance, hn::MulAdd(before, inverse, field.deviation)));
+    const V excess = hn::Sub(gap, need);
+    shares.raise(ShareOf(d, excess, hn::MulAdd(after, inverse, field.deviation)),
+                 ShareOf(d, excess, hn::MulAdd(before, inverse, field.deviation)));
 }
 
 /// Certifies pairs along both normals and, unless that is enough, along the line of their least distance and along that

@@ -80,7 +80,9 @@ std::string listed(const std::vector<std::string>& names) {
 ObstacleNames::ObstacleNames(const std::vector<Mesh>& files) {
     for (const Mesh& file : files) {
         const std::string& name = file.origin.file;
-        files_.push_back(name.empty() ? Path() : std::filesystem::absolute(name).lexically_normal());
+        std::error_code isGone;  // the current folder: the name is then taken as it is
+        const Path absolute = std::filesystem::absolute(name, isGone);
+        files_.push_back(name.empty() ? Path() : (isGone ? Path(name) : absolute).lexically_normal());
     }
     labelFiles();
     std::set<std::string> taken;

@@ -23,7 +23,7 @@ double overlapAt(const BoxSide& side, const Box& part, const Box& surroundings);
 /// The least overlap over the goal's sides. The part is outside exactly when it is below 0.
 double overlapOf(const Outside& outside, const Box& part, const Box& surroundings);
 
-/// The unit direction along which the box has its least support: turned this way, the part needs the least clearance
+/// The unit direction along which the box has its least support: turned this way, the part takes the least space
 /// on that side. dimensions: 3, or 2 for a direction in the plane of x and y.
 Vector3 flattestDirection(const Box& box, int dimensions);
 

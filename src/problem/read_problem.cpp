@@ -48,7 +48,13 @@ bool isOneFile(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
     std::error_code isMissing;
     if (fs::equivalent(a, b, isMissing)) return true;
-    return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+    // Without a current folder names are compared as they are.
+    const auto whole = [](const std::string& name) {
+        std::error_code isGone;
+        const fs::path absolute = fs::absolute(name, isGone);
+        return (isGone ? fs::path(name) : absolute).lexically_normal();
+    };
+    return whole(a) == whole(b);
 }
 
 void requireEachOnce(const ConfigValues& values, const std::string& key,

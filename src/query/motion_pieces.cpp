@@ -150,18 +150,18 @@ class MovingPair {
         below -= highB;
         if (below > above) std::swap(up, down);
         const double rounding = kGapRoundoffs * kUnitRoundoffDouble * piece_.query.largestCoordinate;
-        const double clearance = std::max(std::max(above, below) - rounding, known) - needed;
-        if (!(clearance > 0)) return;
+        const double excess = std::max(std::max(above, below) - rounding, known) - needed;
+        if (!(excess > 0)) return;
         const double bowed = n.cross(piece_.turn).norm() * double(piece_.bow) + double(piece_.deviation);
-        shares.after = std::max(shares.after, share(clearance, up + bowed));
-        shares.before = std::max(shares.before, share(clearance, down + bowed));
+        shares.after = std::max(shares.after, share(excess, up + bowed));
+        shares.before = std::max(shares.before, share(excess, down + bowed));
     }
 
   private:
     static constexpr double kMost = std::numeric_limits<double>::max();
-    static float share(double clearance, double closing) {
+    static float share(double excess, double closing) {
         constexpr double kLargest = 4;  // more than a whole half piece
-        return closing * kLargest < clearance ? float(kLargest) : float(clearance / closing) * (1 - 0x1p-22f);
+        return closing * kLargest < excess ? float(kLargest) : float(excess / closing) * (1 - 0x1p-22f);
     }
 
     const PreparedPiece& piece_;

@@ -233,12 +233,15 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
 }
 
 SceneClearance::ColdStart::ColdStart(const SceneClearance& clearance)
-    : isCold_(clearance.scratch_->perThread.local().isCold), wasCold_(std::exchange(isCold_, true)) {
-    Scratch& mine = clearance.scratch_->mine();
-    mine.workspaces.resize(clearance.scene_.obstacles.size());
-    for (Workspace& workspace : mine.workspaces) workspace.forgetWarmStart();
-    mine.nearest = 0;
-    mine.freePoses = {};
+    : isCold_(clearance.scratch_->perThread.local().isCold), wasCold_(isCold_) {
+    Scratch& cold = clearance.scratch_->perThread.local().cold;
+    if (!cold.isInMotion) {  // else a callback of a cold query asks
+        cold.workspaces.resize(clearance.scene_.obstacles.size());
+        for (Workspace& workspace : cold.workspaces) workspace.forgetWarmStart();
+        cold.nearest = 0;
+        cold.freePoses = {};
+    }
+    isCold_ = true;
 }
 
 SceneClearance::ColdStart::~ColdStart() {

@@ -122,7 +122,7 @@ SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, 
 SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptions& options) const {
     SceneSweep answer;
     answer.certifiedUntil = options.until;
-    Scratch& mine = scratch_->mine();
+    const ThreadScratch::ForMotion mine(*scratch_);
     SweepOptions asked;
     asked.from = options.from;
     asked.leastInterval = options.leastInterval;
@@ -130,7 +130,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
     asked.isForward = options.isForward;
     if (options.isForward) asked.contactTime = std::min(1.0, options.contactInterval / motion.length);
     asked.isStopped = options.isStopped;
-    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+    visitAll(scene_.obstacles.size(), mine->nearest, [&](std::size_t i) {
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin + options.floor;
         asked.until = answer.certifiedUntil;
@@ -138,12 +138,12 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
             answer.contactTime == asked.until || (options.isContactAtEnd && asked.until == options.until);
         const SweepResult found =
             clearway::sweep(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
-                            asked, mine.workspaces[i]);
+                            asked, mine->workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
         if (found.verdict == SweepVerdict::kCertified) return true;
-        mine.nearest = i;
+        mine->nearest = i;
         const bool isFirst = answer.verdict == SweepVerdict::kCertified;
         if (isFirst || found.verdict == SweepVerdict::kContact) answer.verdict = found.verdict;
         answer.contactTime = earlierOf(answer.contactTime, found.contactTime);
@@ -156,7 +156,7 @@ SceneSweep SceneClearance::sweep(const PartMotion& motion, const SceneSweepOptio
 /// Where it cannot be told whether the part is free, it may collide later on, with any obstacle.
 void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions options,
                                 MotionAnswer& answer) const {
-    Scratch& mine = scratch_->mine();
+    const ThreadScratch::ForMotion mine(*scratch_);
     SweepOptions asked;
     asked.from = answer.certifiedUntil;
     asked.leastInterval = options.leastInterval;
@@ -167,7 +167,7 @@ void SceneClearance::lookBehind(const PartMotion& motion, SceneSweepOptions opti
         asked.margin = obstacle.margin;
         const SweepResult found =
             clearway::sweep(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
-                            asked, mine.workspaces[i]);
+                            asked, mine->workspaces[i]);
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
         if (found.verdict == SweepVerdict::kContact) contactTime = earlierOf(contactTime, found.contactTime);
@@ -214,18 +214,18 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
     LeastClearance answer;
     answer.lower = std::numeric_limits<double>::infinity();
     answer.upper = std::min(options.cap.value_or(answer.lower), mostClearance());
-    Scratch& mine = scratch_->mine();
+    const ThreadScratch::ForMotion mine(*scratch_);
     LeastDistanceOptions asked;
     asked.poseError = options.poseError;
     asked.resolution = options.resolution;
     asked.isStopped = options.isStopped;
-    visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+    visitAll(scene_.obstacles.size(), mine->nearest, [&](std::size_t i) {
         const Obstacle& obstacle = scene_.obstacles[i];
         asked.margin = obstacle.margin;
         asked.cap = answer.upper;
         const LeastDistance found =
             leastDistance(scene_.partFor(obstacle), obstacle.model, piecesFor(i, motion, options.poseError),
-                          asked, mine.workspaces[i]);
+                          asked, mine->workspaces[i]);
         ++answer.queries;
         ++tallyOfThisThread().sweeps;
         tallyOfThisThread().work += found.counters;
@@ -234,7 +234,7 @@ LeastClearance SceneClearance::leastClearance(const PartMotion& motion,
         if (found.upper < answer.upper) {
             answer.upper = found.upper;
             answer.time = found.nearest->time;
-            mine.nearest = i;
+            mine->nearest = i;
         }
         return !answer.isStopped && answer.upper > 0;  // a motion in contact has no least clearance to find
     });

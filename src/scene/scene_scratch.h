@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct SceneClearance::Scratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
     FreePoses freePoses{};
+    bool isInMotion = false;  ///< a query of a motion is under way; see ThreadScratch::ForMotion
 };
 
 struct SceneClearance::ThreadScratch {
@@ -71,6 +73,29 @@ struct SceneClearance::ThreadScratch {
         Both& both = perThread.local();
         return both.isCold ? both.cold : both.warm;
     }
+
+    /// The scratch for a query of a motion. The query's callbacks may ask about other motions on the same thread: those get
+    /// scratch of their own, because a sweep keeps its place in its workspace.
+    class ForMotion {
+      public:
+        explicit ForMotion(ThreadScratch& all) : mine_(&all.mine()) {
+            if (mine_->isInMotion) {
+                inner_ = std::make_unique<Scratch>();
+                inner_->workspaces.resize(mine_->workspaces.size());
+                mine_ = inner_.get();
+            }
+            mine_->isInMotion = true;
+        }
+        ~ForMotion() { mine_->isInMotion = false; }
+        ForMotion(const ForMotion&) = delete;
+        ForMotion& operator=(const ForMotion&) = delete;
+
+        Scratch* operator->() const { return mine_; }
+
+      private:
+        Scratch* mine_;
+        std::unique_ptr<Scratch> inner_;
+    };
 
     /// The scratch of a thread is from the standard allocator: TBB's has locks, which do not survive a fork.
     tbb::enumerable_thread_specific<Both, std::allocator<Both>> perThread;

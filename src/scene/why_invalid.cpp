@@ -78,6 +78,8 @@ std::string nameOf(WhyInvalid::Kind kind) {
 }
 
 std::string WhyInvalid::words() const {
+    const bool hasPair = kind == Kind::kCollides || kind == Kind::kTooDeep || kind == Kind::kTooClose;
+    if (hasPair && !nearest.witness) return nameOf(kind);  // a value that no query made
     const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), unit); };
     switch (kind) {
         case Kind::kValid:

@@ -44,7 +44,7 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
 
     /// Draws a state that satisfies the goal, is within the space's bounds, and is valid for si's checker. Half of the states
     /// are reached from the start straight along an axis, a quarter have the start's rotation and any position, and a quarter
-    /// any rotation. Where a rotation does not fit, one is drawn that needs the least clearance. After 100 tries
+    /// any rotation. Where a rotation does not fit, one is drawn that takes the least space. After 100 tries
     /// without a valid state the state is left out of the bounds, where planners refuse it.
     void sampleGoal(ompl::base::State* state) const override;
 

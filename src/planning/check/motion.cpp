@@ -50,7 +50,7 @@ MotionSample combined(const MotionSample& a, const MotionSample& b, const Low& l
         return Bounds{low(x.lower, y.lower), high(x.upper, y.upper)};
     };
     MotionSample result = a;
-    result.clearance = both(a.clearance, b.clearance);
+    result.leeway = both(a.leeway, b.leeway);
     result.lower = low(a.lower, b.lower);
     result.upper = high(a.upper, b.upper);
     return result;
@@ -315,7 +315,7 @@ MotionSample Motion::atEnd(double wanted) {
     isOutside_ = true;
     const double jump = findEndJump();
     const MotionSample certain = lessened(end, jump);
-    const bool isCovered = certain.clearance.lower > end.clearance.lower / 2;
+    const bool isCovered = certain.leeway.lower > end.leeway.lower / 2;
     if (isCovered && (detail_ != ClearanceDetail::kWhole || jump <= slack_)) return certain;
     if (!isCovered) {
         // The end's clearance does not cover the jump between the two poses: solids may lie between them.
@@ -380,18 +380,17 @@ MotionSample Motion::sampleOf(double time, const PoseClearance& found) const {
     sample.time = time;
     sample.lower = found.lower - floor_;
     sample.upper = found.upper - floor_;
-    sample.clearance = aboveFloor(found.always);
+    sample.leeway = aboveFloor(found.always);
     for (std::size_t i = 0; i < posed_.clearance().zoneCount(); ++i) {
         const Bounds& slack = found.zones[i].slack;
         const std::optional<Bounds>& known = found.zones[i].clearance;
         const Bounds clearance = known ? aboveFloor(*known) : Bounds{-kUnbounded, kUnbounded};
-        sample.clearance.lower = std::min(sample.clearance.lower, std::max(clearance.lower, slack.lower));
-        sample.clearance.upper = std::min(sample.clearance.upper, std::max(clearance.upper, slack.upper));
+        sample.leeway.lower = std::min(sample.leeway.lower, std::max(clearance.lower, slack.lower));
+        sample.leeway.upper = std::min(sample.leeway.upper, std::max(clearance.upper, slack.upper));
     }
     const bool isValid = sample.lower > 0;
-    sample.clearance.lower = isValid
-                                 ? std::max(sample.clearance.lower, std::numeric_limits<double>::denorm_min())
-                                 : std::min(sample.clearance.lower, sample.lower);
+    sample.leeway.lower = isValid ? std::max(sample.leeway.lower, std::numeric_limits<double>::denorm_min())
+                                  : std::min(sample.leeway.lower, sample.lower);
     return sample;
 }
 

@@ -31,11 +31,11 @@ struct MotionSample : Bounds {
     /// How far any point of the part may move while the pose stays valid: distance - margin - floor or, where
     /// obstacles are ignored, how far they stay ignored. A lower bound of at most 0 means that the pose is
     /// invalid.
-    Bounds clearance;
+    Bounds leeway;
     bool isOutOfBounds = false;
 
-    MotionSample() { lower = clearance.lower = 0; }  ///< of a pose that no query was asked about
-    bool isValid() const { return clearance.lower > 0 && !isOutOfBounds; }
+    MotionSample() { lower = leeway.lower = 0; }  ///< of a pose that no query was asked about
+    bool isValid() const { return leeway.lower > 0 && !isOutOfBounds; }
 };
 
 /// The motion in exact arithmetic that OMPL's interpolation rounds: no point of the part moves further than

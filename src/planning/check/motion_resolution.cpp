@@ -15,16 +15,16 @@ constexpr double kUsualDiagonal = 1e-3;  ///< of the part's diagonal
 
 }  // namespace
 
-MotionOptions planningMotions(const Scene& scene, double slackAtEnds) {
+MotionOptions planningMotions(const Scene& scene, double clearanceAtEnds) {
     const double usual = defaultLeastInterval(scene);
     MotionOptions options;
-    options.leastInterval = std::clamp(kClearanceShare * slackAtEnds, kFinestShare * usual, usual);
+    options.leastInterval = std::clamp(kClearanceShare * clearanceAtEnds, kFinestShare * usual, usual);
     return options;
 }
 
-MotionOptions auditMotions(const Scene& scene, double slackAtEnds) {
+MotionOptions auditMotions(const Scene& scene, double clearanceAtEnds) {
     MotionOptions options;
-    options.leastInterval = kAuditShare * *planningMotions(scene, slackAtEnds).leastInterval;
+    options.leastInterval = kAuditShare * *planningMotions(scene, clearanceAtEnds).leastInterval;
     return options;
 }
 

@@ -172,7 +172,7 @@ std::vector<MotionInterval> MotionSweep::profile(double share) {
     while (!ahead.empty()) {
         const MotionSample to = ahead.back();
         const double step = to.time - from.time, middle = from.time + 0.5 * step;
-        const double atEnds = std::min(from.clearance.lower, to.clearance.lower);
+        const double atEnds = std::min(from.leeway.lower, to.leeway.lower);
         const double wanted =
             std::isfinite(atEnds) ? atEnds - std::max((1 - share) * atEnds, motion_.profileWidth()) : 0;
         const double longest = motion_.longestProfiled(atEnds);

@@ -52,7 +52,7 @@ class MotionSweep {
                                          bool isForReverse = false);
 
     /// The intervals up to certifiedTime() in order, divided until each interval's bound is at
-    /// least `share` of the lesser clearance at its ends, or the interval is as short as the least interval.
+    /// least `share` of the lesser leeway at its ends, or the interval is as short as the least interval.
     std::vector<MotionInterval> profile(double share);
 
   private:

@@ -29,7 +29,13 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene sh
 WhyInvalid PosedScene::whyInvalid(const ompl::base::State* state) const {
     try {
         if (!si_->satisfiesBounds(state)) return whyOutOfBounds(space(), state);
-        return clearance().whyInvalid(pose(state));
+        const Pose X_environmentPart = pose(state);
+        WhyInvalid why = clearance().whyInvalid(X_environmentPart);
+        if (!why.isValid() || rotationDefect(X_environmentPart) <= kPoseDefect) return why;
+        why.kind =
+            WhyInvalid::Kind::kNoPose;  // a scene without obstacles asks no query, which would refuse it
+        why.reason = "the state has no pose";
+        return why;
     } catch (const std::exception& error) {
         WhyInvalid why;
         why.kind = WhyInvalid::Kind::kUnusable;

@@ -35,7 +35,7 @@ void BandStates::copyTo(og::PathGeometric& path) const {
     for (const BandState& state : states_) path.append(state.get());
 }
 
-double BandStates::rangeOf(const Twist& twist) const {
+double BandStates::displacementOf(const Twist& twist) const {
     return twist.head<3>().norm() + twist.tail<3>().norm() * moves_.radius() / moves_.lever();
 }
 
@@ -65,11 +65,11 @@ void BandStates::respace(double spacing, const std::optional<double>& floor) {
     spaced.push_back(std::move(states_.front()));
     for (std::size_t i = 1; i < states_.size(); ++i) {
         const ob::State *from = spaced.back().get(), *state = states_[i].get();
-        const double way = rangeOf(moves_.between(from, state));
+        const double way = displacementOf(moves_.between(from, state));
         const bool isSpared = states_[i].spared > 0 && --states_[i].spared > 0;
         if (i + 1 < states_.size() && !isSpared && way < kClose * spacing) {
             const ob::State* next = states_[i + 1].get();
-            const double joined = rangeOf(moves_.between(from, next));
+            const double joined = displacementOf(moves_.between(from, next));
             if (joined < kLongestJoined * spacing && (!floor || keeps(from, next, *floor))) continue;
         }
         if (way > spacing) divide(spaced, states_[i], way / spacing, floor);
@@ -96,7 +96,7 @@ void BandStates::divide(std::vector<BandState>& spaced, const BandState& next, d
 /// The part comes closer between the states than at them. Two clearances that overlap prove the contrary at once.
 bool BandStates::isTight(const BandState& from, const BandState& to, double clearance) const {
     if (!(from.clearance > clearance) || !(to.clearance > clearance)) return false;
-    const double way = rangeOf(moves_.between(from.get(), to.get()));
+    const double way = displacementOf(moves_.between(from.get(), to.get()));
     if (way < kShortestTight * clearance || from.clearance + to.clearance - way >= 2 * clearance)
         return false;
     return !keeps(from.get(), to.get(), clearance);

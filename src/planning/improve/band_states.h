@@ -42,7 +42,7 @@ class BandStates {
     const BandState& operator[](std::size_t i) const { return states_[i]; }
 
     /// No point of the part moves further.
-    double rangeOf(const Twist& twist) const;
+    double displacementOf(const Twist& twist) const;
 
     bool keeps(const ompl::base::State* from, const ompl::base::State* to, double clearance) const;
 

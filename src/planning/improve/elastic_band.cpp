@@ -221,7 +221,7 @@ class Band {
         for (int k = 0; k < (isCertified_ ? kMoveTries : 1); ++k, twist *= kNextTry) {
             moves_.move(states_[i].get(), twist, next.get());
             si_.enforceBounds(next.get());
-            const double clearance = std::max(0.0, states_[i].clearance - states_.rangeOf(twist));
+            const double clearance = std::max(0.0, states_[i].clearance - states_.displacementOf(twist));
             if (isCertified_ && !staysCertified(i, next.get(), clearance)) continue;
             si_.copyState(states_[i].get(), next.get());
             states_[i].clearance = clearance;
@@ -231,7 +231,7 @@ class Band {
 
     bool staysCertified(std::size_t i, const ob::State* next, double clearance) const {
         const auto isSure = [&](const BandState& other) {
-            const double way = states_.rangeOf(moves_.between(other.get(), next));
+            const double way = states_.displacementOf(moves_.between(other.get(), next));
             return 0.5 * (other.clearance + clearance - way) > kept_;
         };
         const BandState &before = states_[i - 1], &after = states_[i + 1];

@@ -40,11 +40,11 @@ double leastOverSide(const ClosenessWeight& weight, double far, double near) {
 
 Part makePart(const MotionSample& from, const MotionSample& to, double displacement,
               const ClosenessWeight& weight) {
-    const double h = displacement, a = from.clearance.lower, b = to.clearance.lower;
+    const double h = displacement, a = from.leeway.lower, b = to.leeway.lower;
     const double deepest = std::min({0.5 * (a + b - h), a, b});
     const double perLength = (to.time - from.time) / h;
-    const double mostA = std::min(from.clearance.upper, to.clearance.upper + h),
-                 mostB = std::min(to.clearance.upper, from.clearance.upper + h);
+    const double mostA = std::min(from.leeway.upper, to.leeway.upper + h),
+                 mostB = std::min(to.leeway.upper, from.leeway.upper + h);
     const double highest = 0.5 * (mostA + mostB + h);
     const double high = perLength * (mostOverSide(weight, a, deepest) + mostOverSide(weight, b, deepest));
     const double low =
@@ -58,8 +58,8 @@ Part makePart(const MotionSample& from, const MotionSample& to, double displacem
 Part makeShortPart(const MotionSample& from, const MotionSample& to, double displacement,
                    const ClosenessWeight& weight) {
     const double step = to.time - from.time;
-    const double deepest = std::min(from.clearance.lower, to.clearance.lower) - displacement;
-    const double highest = std::min({from.clearance.upper, to.clearance.upper, weight.end}) + displacement;
+    const double deepest = std::min(from.leeway.lower, to.leeway.lower) - displacement;
+    const double highest = std::min({from.leeway.upper, to.leeway.upper, weight.end}) + displacement;
     return {from,
             to,
             displacement,

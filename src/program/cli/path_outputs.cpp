@@ -229,7 +229,7 @@ void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
                        to(outputs.motion));
     commandLine.option(
         "--swept FILE",
-        "writes the room that the part takes on its way, as a closed mesh: .stl, .obj, .ply or .glb",
+        "writes the volume that the part sweeps along the path, as a closed mesh: .stl, .obj, .ply or .glb",
         to(outputs.swept));
     commandLine.option(
         "--swept-tolerance D",

@@ -86,6 +86,43 @@ BOOST_AUTO_TEST_CASE(costs_leave_the_warm_start_of_the_others_alone) {
     BOOST_TEST(takeQueryTally().withins == 0u);
 }
 
+/// A callback within a sweep asks about another motion in the same scene: both sweeps keep their places.
+BOOST_AUTO_TEST_CASE(a_callback_of_a_motion_may_ask_about_another_one) {
+    const testing::MotionWindow f;
+    const SharedScene shared(f.window.scene);
+    const MotionValidator inner(f.si, shared);
+    const MinClearanceObjective cost(f.si, shared);
+    const auto here = f.at(Vector3(-60, 0, 0)), there = f.at(Vector3(60, 9, 3));
+    const StateMotion plain = stateMotion(f.space, f.window.scene.part);
+    int asked = 0;
+    const StateMotion asking = [&](const ob::State* from, const ob::State* to) {
+        PartMotion motion = plain(from, to);
+        motion.pieces = [&, pieces = motion.pieces](double begin, double end) {
+            if (++asked % 4 == 0) cost.motionCost(here.get(), there.get());
+            inner.checkMotion(here.get(), there.get());
+            return pieces(begin, end);
+        };
+        return motion;
+    };
+    const Model& part = f.window.scene.part;
+    const MotionValidator outer(
+        f.si, SharedScene(shared, stateToPose(*f.space), displacementBound(*f.space, part), asking));
+    const MotionValidator apart(f.si, f.window.scene);
+    BOOST_TEST_REQUIRE(outer.shared().clearance() == inner.shared().clearance());
+    testing::Random random(1);
+    int valid = 0;
+    for (int i = 0; i < 60; ++i) {
+        const auto from = f.at(10 * random.direction() - Vector3(40, 0, 0)),
+                   to = f.at(60 * random.direction());
+        const bool isValid = apart.checkMotion(from.get(), to.get());
+        BOOST_TEST(outer.checkMotion(from.get(), to.get()) == isValid);
+        valid += isValid;
+    }
+    BOOST_TEST(asked > 100);
+    BOOST_TEST(valid > 5);
+    BOOST_TEST(valid < 55);
+}
+
 BOOST_AUTO_TEST_CASE(a_setup_and_a_plan_have_one_scene) {
     const testing::WindowScene window = testing::windowScene();
     const auto setup = makeSetup(window.problem, window.scene);
