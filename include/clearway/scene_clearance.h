@@ -273,6 +273,7 @@ class SceneClearance {
     /// what was asked before, and later answers are independent of them.
     class ColdStart {
       public:
+        /// Begins for the calling thread.
         explicit ColdStart(const SceneClearance& clearance);
         ~ColdStart();
         ColdStart(const ColdStart&) = delete;
