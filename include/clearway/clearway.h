@@ -35,8 +35,10 @@ typedef uint64_t clearway_handle;
 /// as accurate as double allows, and no cap.
 typedef struct clearway_distance_options {
     double relative_error;  ///< [lower, upper] may be as wide as relative_error * lower ...
-    double absolute_error;  ///< ... or as this length, whichever is more
-    double cap;             ///< distances above this do not matter; INFINITY, or 0: all matter
+    /// ... or as this length (environment's unit), or as the default width
+    /// (clearway::DistanceOptions::relativeError), whichever is most.
+    double absolute_error;
+    double cap;  ///< distances above this do not matter; INFINITY, or 0: all matter
 } clearway_distance_options;
 
 /// If the distance is proved to be above the cap, upper and distance are infinite, the triangles -1 and the points

@@ -42,8 +42,8 @@ struct MeshOrigin {
     std::size_t bentFaces =
         0;              ///< polygons that are not flat; their triangles fill them in one of several ways
     double bentBy = 0;  ///< the largest distance of a corner from its polygon's plane; file units
-    /// Lines that belong beside every verdict: assimp alone read the file, polygons were left out or are not flat,
-    /// or a component has no area.
+    /// Warnings to show with every verdict, one line each: assimp alone read the file, polygons were left out or are
+    /// not flat, or a component has no area.
     std::vector<std::string> warnings;
     /// One line for each other conversion that was applied or left out: units, up axis, assimp's own
     /// conversions, re-centring.

@@ -41,8 +41,9 @@ class OverlapMeter {
         return deepest(obstacle, X_environmentPart, 0);
     }
 
-    /// With a least depth of interest, more than the default: shallower points may stay unseen, and upper is at
-    /// most so much above lower if that is more than 1 %.
+    /// leastDepth: the least depth of interest, in environment units. Shallower points may be missed, and upper
+    /// exceeds lower by at most leastDepth or 1 %, whichever is more. A leastDepth below 1e-4 of the part's diagonal
+    /// counts as that. Throws ArgumentError unless the pose is a rotation and a translation (see requirePose).
     DeepestPoint deepest(const Mesh& obstacle, const Pose& X_environmentPart, double leastDepth) const;
 
   private:

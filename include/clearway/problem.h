@@ -188,8 +188,8 @@ std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = lo
 /// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
 Mesh loadEnvironment(const Problem& problem);
 
-/// How far the part was moved on reading, if the problem does not say that it wants that; otherwise empty. part: from
-/// loadPart.
+/// A note on how far reading as OMPL.app does has moved the part, if the problem has no key `reading`; otherwise
+/// empty. part: from loadPart.
 std::string readingNote(const Problem& problem, const Mesh& part);
 
 /// A warning when the sizes of part and surroundings suggest that their files have different units; otherwise empty.
@@ -214,8 +214,9 @@ struct SceneLoading {
     std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
 
-/// A problem's scene, and notes for its user, one line each: components turned over because all their
-/// triangles faced inwards, and components of the part that enclose nothing.
+/// A problem's scene, and notes for its user, one line each: the meshes' warnings (MeshOrigin::warnings), components
+/// turned over because all their triangles faced inwards, readingNote, unitNote, components of the part that enclose
+/// nothing, and pieces that shrinking leaves out.
 struct LoadedScene {
     Scene scene;                     ///< in the environment's frame and unit
     std::vector<std::string> notes;  ///< empty in most cases

@@ -47,9 +47,9 @@ struct QueryCounters {
 
 /// The scratch memory of one thread, and its warm start for the same two models: a distance begins with the nearest of the
 /// closest pairs of up to 64 earlier distances, other queries with the last pair that answered. The contents of a workspace never change verdicts, and intervals
-/// only in last digits; they may change which of several equally close pairs is named. Threads must not share
-/// a workspace: the library fails an assertion when two threads use a workspace at once.
-/// A moved-from workspace may only be assigned to or destroyed.
+/// only in last digits; they may change which of several equally close pairs is named. Threads must not share a
+/// workspace. A build with assertions aborts when two threads use one at once; other builds do not check. A
+/// moved-from workspace may only be assigned to or destroyed.
 class Workspace {
   public:
     /// A workspace without a warm start. Queries allocate the memory that they need, and keep it.
@@ -73,7 +73,7 @@ class Workspace {
     std::unique_ptr<State> state_;
 };
 
-/// The workspace of the thread that makes it, for languages whose threads share objects.
+/// A Workspace bound to the thread that creates it, for bindings to languages whose threads share objects.
 class OwnedWorkspace {
   public:
     Workspace& mine();  ///< throws ArgumentError in every other thread

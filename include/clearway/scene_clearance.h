@@ -28,8 +28,8 @@ struct PartMotion {
     /// No point of the part moves further than length |b - a| between the times a and b. Not finite when the states make
     /// no motion.
     double length = 0;
-    /// No point of the part is further than this, and rounding, from where the motion ends when it is at the second
-    /// state. 0: the motion ends there.
+    /// Upper bound, but for rounding, of any point's displacement between the end of the motion and the second state.
+    /// Environment units. 0: the motion ends exactly at the second state.
     double endJump = std::numeric_limits<double>::infinity();
 };
 
@@ -46,7 +46,8 @@ constexpr std::size_t kMostZones = 3;
 
 /// The clearance to the obstacles of one zone at a pose.
 struct ZoneClearance {
-    /// Distance - margin; none where it was not asked for. The lower bound is at most 0 where a solid holds the other body.
+    /// Distance - margin, environment units; none if these obstacles were not queried. The lower bound is at most 0
+    /// where a solid holds the other body.
     std::optional<Bounds> clearance;
     /// How far any vertex of the part may move while the obstacles stay ignored. Below 0 they count.
     Bounds slack{-1, -1};
@@ -72,9 +73,9 @@ struct PoseClearance : Clearances {
     bool isInStartContact = false;  ///< the pose is within Scene::startContact
     bool isInGoalContact = false;   ///< the pose is within Scene::goalContact
 
-    /// Whether the pose is free. lower is above 0 exactly when all distances are larger than the margins and
-    /// no solid holds the other body: it is raised to the least positive double then, and lowered to at most
-    /// 0 otherwise.
+    /// Whether the pose is free. lower is above 0 exactly when, for all obstacles that count at the pose, the
+    /// distance is larger than the margin and no solid holds the other body: lower is at least the least positive
+    /// double then, and at most 0 otherwise.
     bool isValid() const { return lower > 0; }
 };
 
@@ -88,10 +89,10 @@ struct WhyInvalid {
         kTooDeep,      ///< the obstacle reaches deeper into the part than its overlap allows
         kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
         kTooClose,     ///< the part and an obstacle are no farther apart than the margin
-        kNoPose,       ///< a state has no pose: an entry is not finite, or its rotation is none
+        kNoPose,       ///< a state has no pose: an entry is not finite, or its matrix is no rotation
         kOutOfRange,   ///< the environment was built with a range that does not hold the pose
         kUnusable,     ///< not to be judged for another reason, such as a callback that threw
-        kUndecided  ///< a motion comes closer to a margin than can be told, and no invalid pose of it is known
+        kUndecided     ///< a motion could not be certified near a margin, and no invalid pose of it is known
     };
 
     /// A coordinate that is out of its bounds; environment units.
@@ -110,7 +111,7 @@ struct WhyInvalid {
     std::string partMesh;
     std::string environmentMesh;  ///< the obstacle's mesh of that pair, or the solid
     bool isPartInside = false;    ///< kInSolid: the part is inside the obstacle
-    /// What the distance must be above, or of kTooDeep the depth that is allowed; environment units.
+    /// The margin that the distance must exceed; for kTooDeep the allowed depth. Environment units.
     double limit = 0;
     std::optional<Coordinate> coordinate;  ///< of kOutOfBounds in SE(3) and SE(2)
     std::string reason;                    ///< isUnusable(): what was thrown
@@ -182,7 +183,8 @@ struct SceneSweep {
 
 /// The answer about a rigid motion.
 struct MotionAnswer {
-    /// kCertified: free all along. kUndecided: somewhere within rounding of a margin.
+    /// kCertified: free all along. kUndecided: somewhere too close to a margin (see check()) or to a contact zone's
+    /// boundary, and no pose that is not free is known.
     SweepVerdict verdict = SweepVerdict::kUndecided;
     double certifiedUntil = 0;          ///< free from time 0 to this one, unless the start is not free
     std::optional<double> contactTime;  ///< of a pose that is not free; none if none is known
@@ -198,7 +200,9 @@ struct LeastClearanceOptions {
 
 /// Bounds of the least clearance along a motion, over the obstacles that count at each pose.
 struct LeastClearance {
-    double lower = 0;  ///< no pose of the motion has less; environment units
+    /// No pose of the motion has less, provided that upper is above 0 (otherwise the search ends before all obstacles
+    /// are searched); environment units.
+    double lower = 0;
     double upper = 0;  ///< some pose has no more; the cap when no pose has less
     std::optional<double>
         time;                ///< of a pose with no more than `upper`; none when no pose has less than the cap
@@ -247,11 +251,13 @@ class SceneClearance {
     ContactsAt contactsAt(const Pose& X_environmentPart) const;
 
     /// Checks that the part is free all along a rigid motion, however thin an obstacle is. Undecided where it comes within
-    /// 1e-5 of the part's diagonal of a margin. poseError: the poses may be off the motion by this length, on top of
-    /// rounding; environment units, >= 0. Throws what queries throw.
+    /// 1e-5 of the part's diagonal of a margin. poseError: bound of the poses' deviation from the motion, on top of
+    /// rounding; environment units, >= 0. Throws ArgumentError when poseError is negative or NaN, and what queries
+    /// throw.
     MotionAnswer check(const RigidMotion& motion, double poseError = 0) const;
 
-    /// Sweeps the part along a motion past all obstacles, whatever the solids.
+    /// Sweeps the part along a motion past all obstacles; ignores solids. Throws what queries and the motion's
+    /// callbacks throw.
     SceneSweep sweep(const PartMotion& motion, const SceneSweepOptions& options) const;
 
     /// Finds the least clearance along a motion, whatever the solids.
@@ -266,7 +272,7 @@ class SceneClearance {
     /// Whether any obstacle has solids.
     bool hasSolids() const { return hasSolids_; }
 
-    /// The least distance of all obstacles, whatever the margins, solids and contact zones.
+    /// The least distance to any obstacle; ignores margins, solids and contact zones. Throws what queries throw.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
     /// While it lives, the calling thread's answers begin without a warm start: they are independent, to the last digit, of
@@ -284,7 +290,8 @@ class SceneClearance {
         const bool wasCold_;
     };
 
-    /// Why a pose is not valid, whatever the bounds. A pose that queries refuse is kNoPose or kOutOfRange.
+    /// Why a pose is not valid; ignores the state space's bounds. A pose that queries refuse is kNoPose, kOutOfRange
+    /// or, for any other reason, kUnusable.
     WhyInvalid whyInvalid(const Pose& X_environmentPart) const;
 
     /// Why a pose is not valid, by the answer `found` of at() there. Throws what queries throw.

@@ -42,10 +42,10 @@ struct ShrunkPart {
     Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
     ShrinkOptions options;                     ///< as given
     std::vector<std::uint32_t> partTriangles;  ///< for each triangle the nearest one of the part's mesh
-    /// One line for each component of the part of which shrinking leaves nothing, or removes or cuts through a
-    /// connected body; and one for each (for the whole part where components meet) of which it leaves out something
-    /// thin: a point further from the shrunk part than three times overlap + tolerance. A point that is not quite
-    /// 1.1 times as far may go unnoticed.
+    /// Lines about pieces that the shrunk part lacks. One for each component that vanishes, loses a connected body or
+    /// is cut apart; and one for each component (for the whole part where components meet) that loses something thin:
+    /// a point farther from the shrunk part than 3 (overlap + tolerance). Up to 1.1 times that distance such a point
+    /// may go unnoticed.
     std::vector<std::string> leftOut;
 };
 

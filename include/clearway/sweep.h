@@ -82,8 +82,8 @@ struct SweepOptions {
     /// Whether to find how far the motion is certified from its start, and not only whether all of it is.
     bool isForward = false;
 
-    /// Going forward, a contact is looked for in earlier poses until the certified part of the motion ends within this
-    /// time before it. Finite, >= 0.
+    /// With isForward: the search for earlier contacts ends once the certified part of the motion ends within this
+    /// time before the contact found. Time of the motion, finite, >= 0.
     double contactTime = 1e-3;
 
     double from = 0;   ///< earlier times do not matter; 0 <= from < until

@@ -1,4 +1,5 @@
-// Reads mesh files: as stored by the readers of read/, other formats and OMPL.app's conversions by assimp.
+// Reads mesh files: with the readers of read/ where they know the format, else with assimp. The readings as OMPL.app
+// use assimp, unless assimp would change no vertex.
 #include <fmt/format.h>
 #include <algorithm>
 #include <boost/interprocess/file_mapping.hpp>
@@ -78,7 +79,8 @@ void roundToFloat(Mesh& mesh) {
     for (Vector3& vertex : mesh.vertices) vertex = vertex.cast<float>().cast<double>();
 }
 
-/// Refuses what assimp reads otherwise than our reader: another number of triangles, or another box.
+/// Throws FileError when assimp finds another number of triangles or another box than clearway's reader. theirs:
+/// assimp's mesh; ours: that of clearway's reader.
 void requireSameSurface(const AssimpMesh& theirs, const Mesh& ours, const std::string& file) {
     const std::size_t count = theirs.mesh.triangles.size();
     // assimp fills faces that cross themselves.
@@ -107,8 +109,9 @@ void requireSameSurface(const AssimpMesh& theirs, const Mesh& ours, const std::s
                     text(found) + ", the file holds " + text(expected) + ", expected reading = stored");
 }
 
-/// A world is read by our readers, rounded to float as OMPL.app holds it, where assimp would change no corner: formats without transforms,
-/// whose vertices are apart. Robots are read by assimp, because the mean of its vertices is their origin.
+/// Reads a mesh as OMPL.app does. An environment whose format has no transforms and whose vertices lie apart comes
+/// from clearway's reader, rounded to float, because assimp would change no vertex. All other meshes come from
+/// assimp: a robot is shifted by the mean of assimp's vertices.
 Mesh readAsOmplApp(const MeshFormat* format, const std::string& file, std::string_view bytes,
                    MeshReading reading) {
     if (!format) return readByAssimp(file, reading).mesh;

@@ -36,7 +36,7 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     if (range) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *range);
     if (data->report.unreachableTriangles > 0) data->range = range;
     data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
-    // The decision of contact depends on the whole mesh's coordinates and must not change.
+    // Queries derive M and the default width of an interval from this box: both stay those of the whole mesh.
     if (data->range) data->tree.box = boundingBox(mesh);
     data->components = componentsOf(mesh);
     data->origin = mesh.origin;

@@ -115,8 +115,8 @@ class LeafPairs {
     std::uint64_t kernelPairs() const { return kernelPairs_; }
     std::uint64_t kernelLanes() const { return kernelLanes_; }
 
-    /// Hands the visitor, as TakeNear does, the near pairs of crowded registers, and of the registers that the other near pairs fill
-    /// with those that wait. The rest waits.
+    /// Hands the near pairs to the visitor, as TakeNear does: crowded registers at once, other pairs when they and
+    /// the waiting ones fill a register. The remaining pairs wait.
     template <class Visitor>
     HWY_INLINE void visit(WaitingPairs& waiting, Visitor& visitor) {
         visitPlaces([&](const RegisterPlace& place) HWY_ATTR {

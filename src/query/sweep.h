@@ -11,7 +11,7 @@ namespace clearway {
 /// The question to a sweep.
 enum class SweepGoal {
     kCertify,        ///< whether all times are certified; ends at the first contact
-    kForward,        ///< how far they are from the start on
+    kForward,        ///< how far the motion is certified from its start
     kLeastDistance,  ///< how near the part comes
 };
 
@@ -37,8 +37,9 @@ struct SweepRequest {
     const std::function<bool()>* isStopped = nullptr;
     std::size_t mostEntries = 0;
 
-    /// Of a motion that keeps the cap exactly, and no more, it could be proved only interval by least interval that it keeps it.
-    /// Where a pair comes as near as this to the cap, so much less is proved.
+    /// Allowance below the cap, environment units. A motion whose least clearance equals the cap could be certified
+    /// to the cap only in least intervals, so once a pair comes this near to the cap, cap - nearCap() is certified
+    /// instead.
     double nearCap() const { return resolution.of(cap) / 16; }
 };
 
@@ -54,7 +55,8 @@ struct SweepAnswer {
     PairAtTime nearest{};  ///< kLeastDistance: the closest pair found below the cap
 };
 
-/// More pairs in wait end a sweep as undecided. Depth first, a sweep of a tree of usual depth keeps about a thousand.
+/// Most entries on a sweep's stack; with more the sweep ends as undecided. A depth-first sweep of a tree of usual
+/// depth keeps about a thousand.
 constexpr std::size_t kMostSweepEntries = 1 << 16;
 
 SweepAnswer sweepTrees(const FlatTree& part, const FlatTree& environment, const MotionPieces& motion,

@@ -18,10 +18,10 @@ constexpr double kFarAway = std::numeric_limits<double>::infinity();
 /// Relative error of rough distances. On planners' motions rough distances are twice as fast as exact ones,
 /// for a few more queries.
 constexpr double kRoughError = 0.05;
-/// The share of upper that lower must reach; otherwise a tight distance is asked for.
+/// Least lower / upper with which a rough distance suffices; below it a tight one is computed.
 constexpr double kRoughEnough = 0.9;
 
-/// The answer when no obstacle was asked.
+/// The distance when no obstacle was queried: infinite.
 SceneDistance nowhere() {
     SceneDistance result;
     result.lower = result.upper = result.distance = kFarAway;
@@ -269,8 +269,8 @@ std::optional<SceneClearance::Enclosure> SceneClearance::enclosureBy(std::size_t
     return std::nullopt;
 }
 
-/// Solids are looked at only where they can turn a verdict: elsewhere the surfaces are too close already, and
-/// may touch.
+/// Lowers clearances to at most 0 where a solid holds the other body. Skips obstacles whose clearance is at most 0
+/// already: their surfaces may touch, and enclosureBy() needs surfaces apart.
 void SceneClearance::lookAtSolids(const Pose& X_environmentPart, bool isOutside,
                                   PoseClearance& answer) const {
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {

@@ -21,8 +21,8 @@ std::optional<double> earlierOf(const std::optional<double>& a, const std::optio
 
 }  // namespace
 
-/// No point of the part moves further than this from the middle of a piece to either end. PartMotion::length tells more
-/// where the part is far from its own origin and turns.
+/// Upper bound of any point's displacement from the middle of a piece to either end, environment units.
+/// PartMotion::length is a looser bound for a rotating part far from its own origin.
 double SceneClearance::movedInHalf(const MotionPiece& piece, double halfTime) const {
     const Box& box = scene_.part.box();
     const Vector3 centre = piece.middle.rotation * box.center();
@@ -31,7 +31,7 @@ double SceneClearance::movedInHalf(const MotionPiece& piece, double halfTime) co
     return halfTime * (velocity.norm() + aboutCentre) + piece.deviation + piece.deviationAcrossRotation;
 }
 
-/// The pieces with what the contact zones ignore of an obstacle.
+/// The motion's pieces. MotionPiece::counts tells where the contact zones let the obstacle count.
 MotionPieces SceneClearance::piecesFor(std::size_t i, const PartMotion& motion, double poseError) const {
     PoseClearance at;
     if (!zones_->zoneOf(i, at)) return motion.pieces;
@@ -69,7 +69,9 @@ SolidsAlong SceneClearance::stayOutsideSolids(const PartMotion& motion, double u
     return answer;
 }
 
-/// Behind the border of a zone, which is too close to tell, a pose inside the solid is looked for.
+/// Divides the motion until each range is certified, holds a pose inside the solid, or is as short as leastInterval.
+/// A range of that length at a zone's boundary stays undecided; up to kLooksBehindBorder further ranges are then
+/// searched for a pose inside the solid.
 SolidsAlong SceneClearance::stayOutsideSolid(std::size_t i, const PartMotion& motion,
                                              const SolidsAlong& others, double poseError,
                                              double leastInterval) const {
@@ -98,7 +100,8 @@ SolidsAlong SceneClearance::stayOutsideSolid(std::size_t i, const PartMotion& mo
     return answer;
 }
 
-/// kUndecided: the range must be divided.
+/// Decides a range of times. kCertified: no solid holds the other body, or the obstacle is ignored. kContact: a solid
+/// holds the other body throughout. kUndecided: the range must be divided.
 SweepVerdict SceneClearance::sideAlong(std::size_t i, const PartMotion& motion, const TimeRange& range,
                                        double poseError, double leastInterval) const {
     const MotionPiece piece = motion.pieces(range.from, range.to);

@@ -43,7 +43,8 @@ constexpr std::pair<WhyInvalid::Kind, const char*> kKindNames[] = {
     {WhyInvalid::Kind::kUndecided, "undecided"},
 };
 
-/// Of a pose that is not valid. Where the nearest surfaces are far enough apart, a solid is the reason.
+/// Returns the rule that an invalid pose breaks. A solid is the reason where the nearest surfaces are farther apart
+/// than the margin.
 WhyInvalid::Kind brokenRule(const Scene& scene, const SceneDistance& nearest) {
     if (!nearest.obstacle || !nearest.witness) return WhyInvalid::Kind::kInSolid;
     const Obstacle& obstacle = scene.obstacles[*nearest.obstacle];

@@ -68,8 +68,9 @@ const SharedScene& sceneOf(const ompl::base::SpaceInformationPtr& si);
 
 /// The option of MinClearanceObjective.
 struct MinClearanceOptions {
-    /// Clearances above the cap count as the cap. Environment units, finite, > 0. By default there is none, but what the
-    /// environment's range allows. No path has more clearance than its start and its goal: their least is a good cap.
+    /// Clearances above the cap count as the cap. Environment units, finite, > 0. Without a cap only the
+    /// environment's range limits clearances. No path has more clearance than its start or its goal, so the smaller
+    /// of these two is a good cap.
     std::optional<double> cap;
 };
 

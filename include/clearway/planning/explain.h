@@ -15,8 +15,9 @@ namespace clearway::planning {
 
 /// How explain() plans its trials, and for how long.
 struct ExplainOptions {
-    /// The planner, its parameters, seed and threads are those of every trial, and so are its iterations, which
-    /// make the explanation repeatable as long as the time lasts. The time, the objective and the floor do not count.
+    /// Every trial uses its planner (unless it has an objective), parameters, seed, threads and iterations. With
+    /// iterations the explanation is repeatable if the time suffices. Its seconds, objective, wantedClearance, floor
+    /// and onOverrun are ignored.
     PlanOptions plan;
     double seconds = 60;  ///< > 0; for all trials
     /// Loads the scene of a problem that differs from the given one in rules.apart only.
@@ -48,12 +49,12 @@ bool isExplainable(const Scene& scene);
 /// Throws ArgumentError that says what is missing, unless isExplainable.
 void requireExplainable(const Scene& scene);
 
-/// Plans again without the obstacles that stopped most motions, then puts back, one by one, those without which no path
-/// is lost. Of the obstacles left out only those that a path runs into are needed to be out. Then scales all margins
-/// alike, by bisection. Leaves out nothing where there is one obstacle, or one without a name. `why`: of the planning that
-/// found no path. Throws ArgumentError when options.seconds is not above 0, and as requireExplainable and plan do.
-/// Source: greedy minimum constraint removal after Hauser, The Minimum Constraint Removal Problem with Three Robotics
-/// Applications, 2012.
+/// Plans again without the obstacles that blocked most motions. Puts back all that the path found does not run into,
+/// then others, half of them at once and in the end one by one, while a path is still found. Then bisects for the
+/// largest common factor of all margins with which a path is found. Obstacles are left out only if there are at least
+/// two, all with names. why: the report of the planning that found no path. Throws ArgumentError when options.seconds
+/// is not above 0, and as requireExplainable and plan do. Source: greedy minimum constraint removal after Hauser, The
+/// Minimum Constraint Removal Problem with Three Robotics Applications, 2012.
 Explanation explain(const Problem& problem, const WhyNoPath& why, const ExplainOptions& options);
 
 }  // namespace clearway::planning

@@ -12,8 +12,8 @@
 namespace clearway::planning {
 
 /// While an object lives, OMPL's messages go to it instead of to the terminal: those of its own thread, and those of threads that
-/// have no object. Of a thread's objects the newest counts. Objects may be made and destroyed in any thread and order; the
-/// handler that OMPL had before the first one comes back after the last one.
+/// have no object. If a thread has several objects, the newest receives its messages. Objects may be made and
+/// destroyed in any thread and order; the handler that OMPL had before the first one comes back after the last one.
 class OmplMessages {
   public:
     /// Begins to receive OMPL's messages.

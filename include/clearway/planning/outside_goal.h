@@ -17,8 +17,8 @@
 namespace clearway::planning {
 
 /// A state satisfies the goal when the part's box and the environment's are apart there (see Outside). The part's box is its
-/// box in its own coordinates, moved to the state's pose, and the box along the environment's axes around that. Validity is
-/// not asked about: planners only ask about valid states.
+/// box in its own coordinates, moved to the state's pose, and the box along the environment's axes around that. The
+/// goal does not check validity, because planners test only valid states.
 ///
 /// Any number of threads may use one goal.
 class OutsideGoal : public ompl::base::GoalSampleableRegion {
@@ -44,8 +44,8 @@ class OutsideGoal : public ompl::base::GoalSampleableRegion {
 
     /// Draws a state that satisfies the goal, is within the space's bounds, and is valid for si's checker. Half of the states
     /// are reached from the start straight along an axis, a quarter have the start's rotation and any position, and a quarter
-    /// any rotation. Where a rotation does not fit, one is drawn that takes the least space. After 100 tries
-    /// without a valid state the state is left out of the bounds, where planners refuse it.
+    /// any rotation. Where a rotation does not fit, one is drawn that takes the least space. After 100 draws without
+    /// a valid state, sets a position outside the bounds, which planners refuse.
     void sampleGoal(ompl::base::State* state) const override;
 
     /// Moves a state that satisfies the goal straight along an axis, where no obstacle blocks it, until the gap

@@ -38,7 +38,8 @@ class InvalidStart : public ArgumentError {
     InvalidStart(const std::string& message, bool theMayOverlap)
         : ArgumentError(message), mayOverlap(theMayOverlap) {}
 
-    bool mayOverlap;  ///< among the keys is the overlap; OverlapMeter tells how deep it is
+    bool
+        mayOverlap;  ///< whether allowing an overlap is one of the remedies named; OverlapMeter measures the overlap
 };
 
 /// Seconds after PlanOptions::seconds, or after PlanOptions::isStopped first returned true, from which plan() overruns.
@@ -94,10 +95,11 @@ struct PlanOptions {
     std::function<bool()> isStopped;
     /// Called when a phase begins, in the thread that called plan().
     std::function<void(PlanPhase)> onPhase;
-    /// Some of OMPL's planners overrun: they ask whether to end only between long pieces of work. Of those of OMPL 1.5, BITstar,
-    /// LazyPRMstar, LBKPIECE1, pSBL and SBL do. Others may where a single motion takes long. plan() cannot end a planner, and waits for it. When it has
-    /// waited kMostOverrun, it calls onOverrun from another thread, with the report of the best path so far, audited, but
-    /// neither widened nor shortened. Who can't wait writes it and ends the process.
+    /// Some of OMPL's planners overrun, because they evaluate the termination condition only between long pieces of
+    /// work. Of those of OMPL 1.5, BITstar, LazyPRMstar, LBKPIECE1, pSBL and SBL do. Others may where a single motion
+    /// takes long. plan() cannot end a planner, and waits for it. When it has waited kMostOverrun, it calls onOverrun
+    /// from another thread, with the report of the best path so far, audited, but neither widened nor shortened. Who
+    /// can't wait writes it and ends the process.
     std::function<void(const PlanReport&)> onOverrun;
 };
 
@@ -146,22 +148,23 @@ struct PlanReport {
     /// nothing.
     std::optional<ShutIn> shutIn;
 
-    /// Why no path was found: only with kNotFound, and neither with a proof nor for a path that did not pass its audit.
+    /// Why no path was found. Empty with a path, with a proof (shutIn), for a path that did not pass its audit, and
+    /// when planning was stopped before the reason was searched for.
     std::optional<WhyNoPath> whyNoPath;
 
     double planningSeconds = 0;  ///< for running the planners
     double finishingSeconds =
         0;  ///< for widening, simplifying and auditing, or for finding out why there is no path
-    std::uint64_t checks = 0;           ///< states asked about, in all
+    std::uint64_t checks = 0;  ///< states checked, plus the queries about motions and those of the audit
     std::vector<std::string> warnings;  ///< of clearway and of OMPL, one text each
 };
 
 /// Plans for the scene. The scene's margins count; the problem's own margin and mesh files do not. The path
 /// begins at the problem's start, ends at its goal, and is valid along its whole length. Throws ArgumentError
 /// when an option is wrong, the problem names an unknown planner, the bounds leave out the start or the goal or
-/// leave the part no place outside, the environment was built with too small a range (see planningRange), or start
-/// or goal is not valid: then the message names the two closest meshes and triangles.
-/// Throws OmplError when OMPL refuses its work.
+/// leave the part no place outside, the environment was built with too small a range (see planningRange), or the
+/// start or goal is not valid: the message then says why (WhyInvalid::words). A start in collision throws
+/// InvalidStart. Throws OmplError when OMPL throws.
 PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& options);
 
 /// Looks up the names of the problem's objective, samplers, planners and planners' parameters. Throws

@@ -25,8 +25,9 @@ using StateMotion = std::function<PartMotion(const ompl::base::State* from, cons
 /// the space when it is another one, even one derived from these.
 StateMotion stateMotion(const ompl::base::StateSpacePtr& space, const Model& part);
 
-/// A scene, and how the states of a space place and move its part. Copies share one SceneClearance: each thread's queries then
-/// begin where the last one ended, whoever asked it. A Scene is one, too, that is shared by nobody else.
+/// A scene, with the callbacks that turn a space's states into poses and motions of its part. Copies share one
+/// SceneClearance, so a thread's query has the warm start of its previous query, whichever copy made it. A Scene
+/// converts to a SharedScene of its own.
 ///
 /// ```
 /// const SharedScene shared(scene);
@@ -38,19 +39,20 @@ class SharedScene {
     /// For OMPL's SE(3) and SE(2): poses and motions are those of the space. Throws as SceneClearance does.
     SharedScene(Scene scene);
 
-    /// Shares what others ask, too. Throws ArgumentError when it is null.
+    /// Shares a SceneClearance with its other users. Throws ArgumentError when it is null.
     SharedScene(std::shared_ptr<const SceneClearance> clearance);
 
-    /// For any space. Motions need a bound. They are certified pair by pair, by the bound alone where no StateMotion is given. The
-    /// poses of interpolated states may differ only by rounding from those that the bound is made for: by at most 2^-47 of the
-    /// lengths involved. Throws ArgumentError when a callback that is given is empty.
+    /// For any space. Motions need a bound, in environment units. Without a StateMotion, pairs of volumes are
+    /// certified by the bound alone. The poses of interpolated states may differ only by rounding from those that the
+    /// bound is made for: by at most 2^-47 of the lengths involved. Throws ArgumentError when a callback that is
+    /// given is empty.
     SharedScene(const SharedScene& scene, StateToPose stateToPose,
                 std::optional<DisplacementBound> bound = {}, std::optional<StateMotion> motion = {});
 
     /// The scene as given.
     const Scene& scene() const { return clearance_->scene(); }
 
-    /// What all copies ask; never null.
+    /// The object that answers the queries of all copies; never null.
     const std::shared_ptr<const SceneClearance>& clearance() const { return clearance_; }
 
     /// The callbacks; empty where none was given.

@@ -23,11 +23,13 @@ struct CheckCounters {
     std::uint64_t checks = 0;       ///< states checked
     std::uint64_t invalid = 0;      ///< answered invalid, for whatever reason
     std::uint64_t outOfBounds = 0;  ///< of these, outside the space's bounds
-    std::uint64_t unusable = 0;     ///< of these, states without a pose, or whose callback threw
+    /// Of these, states without a pose or outside an environment's range, or whose callback threw.
+    std::uint64_t unusable = 0;
 };
 
-/// Judges states. A state is valid when it satisfies the space's bounds and the distance between the part and
-/// each obstacle is larger than the obstacle's margin; with margin 0, when the two share no point.
+/// Judges states. A state is valid when it is within the space's bounds, the distance between the part and each
+/// obstacle that counts there (see ContactZone) is larger than the obstacle's margin, and no solid holds the other
+/// body (see Obstacle::solids). With margin 0 the two must share no point.
 ///
 /// Any number of threads may use one checker: each has its own scratch and takes no lock. The checker throws
 /// nothing out of OMPL's callbacks: it answers a state without a pose as invalid, counts it, and logs the

@@ -30,8 +30,8 @@ struct FailedPlanning {
         validator;  ///< decides which motions are valid, and what stops others
 };
 
-/// A part that moves less than this is shut in; a multiple of its diagonal. A part that can only rotate on the spot
-/// moves by up to one diagonal.
+/// A part counts as shut in when no point of it has moved as far as this many diagonals of its box. A part that only
+/// rotates on the spot moves by up to one diagonal.
 constexpr double kShutIn = 1.5;
 
 /// An obstacle or bound, and how many trial motions it blocked.
@@ -73,9 +73,11 @@ struct NearestMiss {
 
 /// The answer of whyNoPath(). Lengths in environment units.
 struct WhyNoPath {
-    double diagonal = 0;            ///< of the part's box
-    ReachedFrom start;              ///< how far the part comes from the start
-    ReachedFrom goal;               ///< how far the part comes from the goal
+    double diagonal = 0;  ///< of the part's box
+    ReachedFrom start;    ///< how far the part comes from the start
+    /// How far the part comes from the goal; only `states` is set for a goal outside, or if the definition has a goal
+    /// of the caller's that problem.goal does not satisfy.
+    ReachedFrom goal;
     std::size_t motionsTried = 0;   ///< how many motions were followed to find what stops the part
     std::vector<Blocker> blockers;  ///< those that stopped most motions first
     NearestMiss nearest;            ///< where start and goal were nearly joined

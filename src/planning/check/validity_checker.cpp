@@ -92,7 +92,7 @@ ValidityChecker::Usable ValidityChecker::findPose(const ob::State* state, Pose& 
     }
     const double defect = rotationDefect(X_environmentPart);
     if (!(defect <= kPoseDefect)) {
-        warn("the state has no pose: an entry is not finite or its rotation is none");
+        warn("the state has no pose: an entry is not finite or its matrix is no rotation");
         return Usable::kNoPose;
     }
     return si_->satisfiesBounds(state) ? Usable::kYes : Usable::kOutOfBounds;

@@ -1,4 +1,5 @@
-// Constraints are obstacles here, and planners are asked for paths without some of them.
+// Minimum constraint removal with obstacles as the constraints: plans without some obstacles, then puts back those
+// that a path does not need out.
 #include "clearway/planning/explain.h"
 
 #include <algorithm>

@@ -315,8 +315,8 @@ std::optional<QueryRange> planningRange(const Problem& problem, const PlanOption
     const auto objective = chooseObjective(problem, options);
     const double clearance = objective ? largestClearance(*objective, part) : 0;
     if (std::isinf(clearance)) return std::nullopt;
-    const double told = std::max(finenessOf(problem, part), clearance);
-    const double cap = largestMargin(problem) + told + 2 * radius;
+    const double largestNeeded = std::max(finenessOf(problem, part), clearance);
+    const double cap = largestMargin(problem) + largestNeeded + 2 * radius;
     return QueryRange{Box(bounds.min() - slack, bounds.max() + slack), radius, cap};
 }
 

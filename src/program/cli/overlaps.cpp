@@ -29,7 +29,7 @@ struct PosedAt {
 
 struct Piece {
     Mesh mesh;           ///< one component of an obstacle
-    double allowed = 0;  ///< as FoundOverlap has it
+    double allowed = 0;  ///< FoundOverlap::allowed
 };
 
 void addComponents(const Mesh& mesh, double allowed, std::vector<Piece>& to) {
@@ -40,7 +40,8 @@ void addComponents(const Mesh& mesh, double allowed, std::vector<Piece>& to) {
     }
 }
 
-/// For each piece where it reaches deepest into the part.
+/// Finds, for each piece that reaches into the part, the pose and the point where it is deepest; the deepest piece
+/// first. Depths below leastDepth (environment units) may be missed.
 std::vector<FoundOverlap> findOverlaps(const Mesh& part, const OverlapMeter& meter,
                                        const std::vector<Piece>& pieces, const std::vector<PosedAt>& poses,
                                        double leastDepth) {

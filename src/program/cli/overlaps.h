@@ -26,8 +26,8 @@ std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& sce
 /// For each obstacle that reaches into the part at the problem's start, where it reaches deepest.
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem);
 
-/// Throws std::logic_error if an obstacle reaches deeper than allowed: this is called for valid paths, so that a
-/// verdict is never given against what another algorithm measured.
+/// Cross-checks a path that was certified as valid: throws std::logic_error if a measured overlap is deeper than
+/// allowed.
 void requireAllowed(const std::vector<FoundOverlap>& overlaps);
 
 /// Prints a row for each, a few at most; none when there is none.
