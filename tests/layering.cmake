@@ -60,7 +60,7 @@ set(plan_headers problem_setup.h plan.h plan_setup.h finish.h check_path.h expla
 set(value_headers types.h mesh.h build_options.h build_report.h query.h sweep.h targets.h)
 
 # Which files may see a library, by its include folder; every other file may not.
-set(hwy_users "^src/(kernels|query)/")
+set(hwy_users "^src/(kernels|query|build)/")
 set(assimp_users "^src/(mesh/(read/assimp|save)|program/options/help)[.]cpp$")
 set(embree3_users "^src/(build/split/embree|program/render/rays|program/options/help)[.]cpp$")
 set(embree4_users ${embree3_users})

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "build/fits.h"
+#include "build/fit_volumes.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
 #include "core/text.h"

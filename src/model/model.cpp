@@ -1,4 +1,4 @@
-// Builds a model: mesh, clean mesh, binary tree, flat tree.
+// Builds a model: mesh, clean mesh, tree.
 #include "clearway/model.h"
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "build/build.h"
-#include "build/flatten.h"
 #include "core/clock.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
@@ -34,7 +33,7 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     data->key = modelKey(mesh, options, reach);
     if (reach) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *reach);
     if (data->report.unreachableTriangles > 0) data->reach = reach;
-    data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
+    data->tree = buildTree(cleaned, options);
     // The decision of contact depends on the whole mesh's coordinates and must not change.
     if (data->reach) data->tree.box = boundingBox(mesh);
     data->components = componentsOf(mesh);
