@@ -11,6 +11,7 @@
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
 #include "build/rate_nodes.h"
+#include "build/reinsertion.h"
 #include "core/parallel.h"
 
 namespace clearway {
@@ -57,6 +58,7 @@ BinaryTree buildInThisArena(const CleanMesh& mesh, const BuildOptions& options) 
     std::iota(triangles.begin(), triangles.end(), 0u);
     BinaryTree tree =
         generalSplit.build(mesh, std::move(triangles), static_cast<std::size_t>(options.leafSize));
+    if (generalSplit.isImproved) reinsertSubtrees(tree, mesh);
     splitLeaves(tree, mesh, leafSplit.build, generalSplit.build);
     rateNodes(tree, mesh);
     return tree;
