@@ -1,4 +1,4 @@
-// Builds a model: mesh, clean mesh, binary tree, flat tree.
+// Builds a model: mesh, clean mesh, tree.
 #include "clearway/model.h"
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "build/build.h"
-#include "build/flatten.h"
 #include "core/clock.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
@@ -35,7 +34,7 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     data->key = modelKey(mesh, options, range);
     if (range) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *range);
     if (data->report.unreachableTriangles > 0) data->range = range;
-    data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
+    data->tree = buildTree(cleaned, options);
     // The decision of contact depends on the whole mesh's coordinates and must not change.
     if (data->range) data->tree.box = boundingBox(mesh);
     data->components = componentsOf(mesh);
