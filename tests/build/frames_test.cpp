@@ -71,7 +71,11 @@ BOOST_AUTO_TEST_CASE(no_frame_and_no_normal_gives_less_area) {
             const Padded padded(points);
             const simd::FrameChoice best =
                 simd::LeastAreaFrame(padded.lanes(), frames.data(), int(frames.size()));
-            BOOST_REQUIRE(std::abs(best.area - least) <= least * kFloatRounding + kAreaRounding);
+            // The area in float is off most where few points lie at the sphere's rim: there it is the root of a difference, and
+            // so off by the root of float's rounding. 2.1e-4 of the squared extent is the most seen.
+            Box hull;
+            for (const Vector3& point : points) hull.extend(point);
+            BOOST_REQUIRE(std::abs(best.area - least) <= 1e-3 * hull.diagonal().squaredNorm());
             const double again =
                 fitRss(points, withNormal(axes[std::size_t(best.frame)], best.normal)).area();
             BOOST_REQUIRE(std::abs(again - least) <= least * kFloatRounding + kAreaRounding);
