@@ -122,6 +122,10 @@ void bindWhyInvalid(py::module_& module) {
         .def_readonly(
             "limit", &WhyInvalid::limit,
             R"(The distance to exceed or, of "too deep", the depth that is allowed; environment units.)")
+        .def("__repr__",
+             [](const WhyInvalid& why) {
+                 return py::str("WhyInvalid({!r}, {!r})").format(nameOf(why.kind), why.words());
+             })
         .def("__str__", &WhyInvalid::words)
         .def("__bool__", [](const WhyInvalid& why) { return !why.isValid(); });
 }

@@ -1,5 +1,6 @@
 #include "planning/space/ompl_states.h"
 
+#include <fmt/format.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/config.h>
@@ -11,6 +12,7 @@
 
 #include "clearway/errors.h"
 #include "clearway/planning/se3_space.h"
+#include "scene/interpolated_motion.h"
 
 #if OMPL_VERSION_VALUE < 1005000
 #error "clearway needs OMPL 1.5 or later"
@@ -81,6 +83,12 @@ WhyInvalid whyOutOfBounds(const ob::StateSpace& space, const ob::State* state) {
         if (value >= bounds.low[i] && value <= bounds.high[i]) continue;
         why.coordinate = {"xyz"[i], value, bounds.low[i], bounds.high[i]};
         return why;
+    }
+    // OMPL's bounds refuse quaternions that are not of unit length, too.
+    if (isSpatial && !canBeInterpolated(at)) {
+        why.kind = WhyInvalid::Kind::kNoPose;
+        why.reason = fmt::format("the state's quaternion has length {}, expected 1 to within 1e-9",
+                                 at.rotation.norm());
     }
     return why;
 }

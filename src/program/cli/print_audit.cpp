@@ -191,7 +191,7 @@ void printAudit(const PathAudit& audit, const Scene& scene) {
 }
 
 void printSegments(const PathAudit& audit) {
-    if (!usedUnit().empty()) std::cout << "Lengths in " << usedUnit() << ", turns in degrees\n";
+    if (!usedUnit().empty()) std::cout << "Lengths in " << usedUnit() << ", rotations in degrees\n";
     printCells("segment", "verdict", "length", "rotation", "clearance", "at t",
                "between (triangles, from 0)");
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {

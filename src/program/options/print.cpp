@@ -58,11 +58,13 @@ std::string readable(const Box& box) {
 }
 
 std::string shortened(double value, int digits) {
-    return fmt::format("{:.{}g}", towardsZero(value, digits) + 0.0, digits);  // -0 + 0 reads as 0
+    const double rounded = value < 0 ? awayFromZero(value, digits) : towardsZero(value, digits);
+    return fmt::format("{:.{}g}", rounded + 0.0, digits);  // -0 + 0 reads as 0
 }
 
 std::string shortenedUp(double value) {
-    return readable(awayFromZero(value * (1 - kRounded), 4));
+    return readable(value < 0 ? towardsZero(value * (1 + kRounded), 4)
+                              : awayFromZero(value * (1 - kRounded), 4));
 }
 
 void useUnit(const std::string& unit) {

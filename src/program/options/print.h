@@ -21,9 +21,9 @@ std::string readable(double value);
 std::string readable(const Vector3& v);  ///< (x, y, z)
 std::string readable(const Box& box);    ///< (x, y, z) to (x, y, z)
 
-/// Rounds to so many digits towards zero, because a certified value must not be rounded up.
+/// Rounds down to so many digits, because a certified lower bound must not be shown as more than it is.
 std::string shortened(double value, int digits = 4);
-std::string shortenedUp(double value);  ///< four digits, away from zero: for upper bounds
+std::string shortenedUp(double value);  ///< rounds up to four digits: for upper bounds
 
 /// The unit of the lengths that are shown from now on; empty at first: lengths are plain numbers.
 void useUnit(const std::string& unit);

@@ -6,6 +6,7 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 #include "support/window_scene.h"
+#include "support/words.h"
 
 namespace clearway::planning {
 
@@ -140,6 +142,27 @@ BOOST_AUTO_TEST_CASE(a_state_without_a_pose_is_invalid_counted_and_logged_once) 
     BOOST_TEST(f.checker->clearance(state.get()) == 0);
     BOOST_TEST(f.checker->counters().unusable == 4u);
     BOOST_TEST(log.lines.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_quaternion_that_is_not_of_unit_length_is_no_pose_and_not_out_of_bounds) {
+    const Fixture f;
+    const ValidityChecker checker(f.si, f.window.scene);
+    for (const double length : {0.0, 2.0}) {
+        auto state = f.at({-60, 0, 0});
+        auto& rotation = state->as<ob::SE3StateSpace::StateType>()->rotation();
+        rotation.x = rotation.y = rotation.z = 0;
+        rotation.w = length;
+        BOOST_TEST(!checker.isValid(state.get()));
+        const WhyInvalid why = checker.whyInvalid(state.get());
+        BOOST_TEST((why.kind == WhyInvalid::Kind::kNoPose));
+        BOOST_TEST(testing::holds(why.words(), "quaternion has length"));
+    }
+    const Scene alone(f.window.scene.part);
+    auto nowhere = f.at({-60, 0, 0});
+    nowhere->as<ob::SE3StateSpace::StateType>()->setX(std::nan(""));
+    const ValidityChecker free(f.si, alone);
+    BOOST_TEST(!free.isValid(nowhere.get()));
+    BOOST_TEST((free.whyInvalid(nowhere.get()).kind == WhyInvalid::Kind::kNoPose));
 }
 
 BOOST_AUTO_TEST_CASE(a_callback_that_throws_makes_a_state_invalid_and_is_not_passed_on) {
