@@ -11,6 +11,7 @@ namespace clearway::testing {
 inline std::string beginningOf(WhyInvalid::Kind kind) {
     WhyInvalid why;
     why.kind = kind;
+    why.nearest.witness.emplace();
     const std::string words = why.words();
     return words.substr(0, words.find(':'));
 }
