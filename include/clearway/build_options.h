@@ -48,7 +48,7 @@ std::vector<int> nodeWidths();
 /// values.
 void requireBuildOptions(const BuildOptions& options);
 
-/// What cleaning found. Cleaning removes no part of the surface, only repetitions of it.
+/// The report of cleaning. Cleaning removes no part of the surface, only repetitions of it.
 struct CleanReport {
     std::size_t weldedVertices = 0;       ///< vertices exactly equal to an earlier one
     std::size_t unusedVertices = 0;       ///< vertices that no triangle uses

@@ -81,7 +81,7 @@ struct PoseClearance : Clearances {
 
 /// Why a pose or a motion is not valid. All that clearway says about it is made from this value.
 struct WhyInvalid {
-    /// What is wrong; nameOf() names it.
+    /// The rule that is broken; nameOf() names it.
     enum class Kind {
         kValid,        ///< nothing
         kOutOfBounds,  ///< outside of the state space's bounds

@@ -1,4 +1,4 @@
-// What a caller or a file gets wrong is caught as clearway's own type, by its base, and as the standard type.
+// Errors of callers and files are caught as clearway's own type, by its base, and as the standard type.
 #include "clearway/errors.h"
 
 #include <boost/test/unit_test.hpp>

@@ -7,7 +7,7 @@
 
 namespace clearway::testing {
 
-/// What the words of this kind begin with, up to their colon.
+/// The beginning of the words of this kind, up to their colon.
 inline std::string beginningOf(WhyInvalid::Kind kind) {
     WhyInvalid why;
     why.kind = kind;

@@ -23,7 +23,7 @@ struct CheckCounters {
     std::uint64_t checks = 0;       ///< states checked
     std::uint64_t invalid = 0;      ///< answered invalid, for whatever reason
     std::uint64_t outOfBounds = 0;  ///< of these, outside the space's bounds
-    /// Of these, states without a pose or outside an environment's range, or whose callback threw.
+    /// Invalid states without a pose or outside an environment's range, or whose callback threw.
     std::uint64_t unusable = 0;
 };
 

@@ -252,7 +252,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
                                    : std::min(startClearance, clearanceAt(problem.goal, ProblemEnd::kGoal));
     useCertified(setup, leastAtEnds, isOver, report);
     setup.floor = report.floor;
-    // What planners asked before does not change an audit, to the last digit.
+    // The planners' earlier queries do not change an audit, to the last digit.
     setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastAtEnds));
     setup.si->setStateValidityChecker(setup.checker);
     setup.definition = defineProblem(setup, problem, scene, report.warnings);

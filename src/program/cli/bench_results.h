@@ -1,4 +1,4 @@
-// What a benchmark found: a row for each planner and for lost runs, and paths as files beside its log.
+// The results of a benchmark: a row for each planner and for lost runs, and paths as files beside its log.
 #pragma once
 
 #include <cstddef>

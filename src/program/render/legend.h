@@ -14,7 +14,7 @@ namespace clearway::render {
 /// The things beside the environment that a picture may show.
 enum class Sign { kStart, kGoal, kBetween, kMoving, kWay, kContact, kOverlap };
 
-/// What a sign says in the legend.
+/// The words of a sign in the legend.
 std::string wordsOf(Sign sign);
 
 /// The signs for these poses of the part; hasMover: one more pose changes from picture to picture.

@@ -18,7 +18,7 @@ struct ObstacleClearance {
     double margin = 0;
     std::size_t frame = 0;    ///< of the least clearance, where that is measured
     bool isMeasured = false;  ///< false: `lower` is that of the boxes around part and component
-    /// What makes the pose of the frame invalid, if the component alone does.
+    /// The reason why the frame's pose is invalid, if the component alone is the reason.
     WhyInvalid::Kind trouble = WhyInvalid::Kind::kValid;
     bool isLeftOutAtStart = false, isLeftOutAtGoal = false;  ///< it may be touched there
     bool isInScene = false;  ///< false: the component is ignored, or the scene has no obstacle of its name

@@ -1,4 +1,4 @@
-// What OMPL refuses is caught as clearway's own type, and still as OMPL's.
+// Refusals by OMPL are caught as clearway's own type, and still as OMPL's.
 #include "planning/space/ompl_refusal.h"
 
 #include <ompl/base/spaces/SE3StateSpace.h>
