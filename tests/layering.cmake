@@ -61,7 +61,7 @@ set(plan_headers problem_setup.h plan.h check_path.h explain.h)
 set(value_headers errors.h types.h mesh.h build_options.h query.h sweep.h targets.h)
 
 # Which files may see a library, by its include folder; every other file may not.
-set(hwy_users "^src/(kernels|query)/")
+set(hwy_users "^src/(kernels|query|build)/")
 set(assimp_users "^src/(mesh/(read/assimp|save)|program/options/help)[.]cpp$")
 set(embree3_users "^src/(build/split/embree|program/render/rays|program/options/help)[.]cpp$")
 set(embree4_users ${embree3_users})

@@ -1,4 +1,4 @@
-// Puts a build together: the general split's topology, its leaves split further, then volumes for all nodes.
+// Puts a build together: the general split's topology, its leaves split further, wide nodes and their volumes.
 #include "build/build.h"
 
 #include <algorithm>
@@ -6,9 +6,12 @@
 #include <numeric>
 #include <utility>
 
-#include "build/fits.h"
+#include "build/fit_volumes.h"
+#include "build/flatten.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
+#include "build/rate_nodes.h"
+#include "build/reinsertion.h"
 #include "core/parallel.h"
 
 namespace clearway {
@@ -17,6 +20,7 @@ namespace {
 
 /// Replaces a leaf by a small tree over its triangles.
 void graft(BinaryTree& tree, std::size_t leaf, const BinaryTree& branch) {
+    const FrameAxes axes = tree.nodes[leaf].axes;
     const std::uint32_t firstTriangle = tree.nodes[leaf].firstTriangle;
     std::copy(branch.order.begin(), branch.order.end(), tree.order.begin() + firstTriangle);
     // The branch's root takes the leaf's place; its other nodes go to the end.
@@ -24,6 +28,8 @@ void graft(BinaryTree& tree, std::size_t leaf, const BinaryTree& branch) {
     for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
         BinaryNode node = branch.nodes[i];
         node.firstTriangle += firstTriangle;
+        node.axes = axes;
+        node.area = kNotRated;  // its area is in the branch's unit
         if (!node.isLeaf()) {
             node.left += shift;
             node.right += shift;
@@ -52,8 +58,9 @@ BinaryTree buildInThisArena(const CleanMesh& mesh, const BuildOptions& options) 
     std::iota(triangles.begin(), triangles.end(), 0u);
     BinaryTree tree =
         generalSplit.build(mesh, std::move(triangles), static_cast<std::size_t>(options.leafSize));
+    if (generalSplit.isImproved) reinsertSubtrees(tree, mesh);
     splitLeaves(tree, mesh, leafSplit.build, generalSplit.build);
-    fitVolumes(tree, LeafOrder(mesh, tree.order), fitNamed(options.fit).fit);
+    rateNodes(tree, mesh);
     return tree;
 }
 
@@ -63,6 +70,15 @@ BinaryTree buildBinaryTree(const CleanMesh& mesh, const BuildOptions& options) {
     requireBuildOptions(options);
     assert(!mesh.triangles.empty());
     return onThreads(options.threads, [&] { return buildInThisArena(mesh, options); });
+}
+
+FlatTree buildTree(const CleanMesh& mesh, const BuildOptions& options) {
+    requireBuildOptions(options);
+    assert(!mesh.triangles.empty());
+    return onThreads(options.threads, [&] {
+        return flatten(buildInThisArena(mesh, options), mesh, options.nodeWidth,
+                       fitNamed(options.fit).frames);
+    });
 }
 
 }  // namespace clearway

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "build/fits.h"
+#include "build/fit_volumes.h"
 #include "build/general_splits.h"
 #include "build/leaf_splits.h"
 #include "clearway/errors.h"

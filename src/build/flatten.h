@@ -1,54 +1,16 @@
 // From the binary tree to the flat one that queries read.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
+#include "build/fit_volumes.h"
 #include "mesh/clean.h"
 #include "tree/binary_tree.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
 
-/// Makes the flat tree, with the wide nodes that Collapse chooses; width 2 keeps the binary tree. Throws
-/// ArgumentError when no tree has nodes of this width.
-FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth);
-
-/// Chooses which descendants of a binary node become the lanes of a wide node. A wide node costs its area,
-/// which stands for how often a query visits it; of all ways to cut the binary tree into wide nodes, dynamic
-/// programming finds the cheapest. Source: Ylitie, Karras, Laine, Efficient Incoherent Ray Traversal on GPUs
-/// Through Compressed Wide BVHs, 2017.
-class Collapse {
-  public:
-    static constexpr int kMostLanes = widestOf(NodeWidths());
-
-    /// lanes: of a wide node, 2 to kMostLanes. The tree is not copied.
-    Collapse(const BinaryTree& tree, int lanes);
-
-    /// The descendants of an inner node that become its lanes, from left to right: at least two.
-    std::vector<std::int32_t> lanesOf(std::int32_t node) const;
-
-    /// The sum over all wide nodes of their area, as a share of the root's, plus 1 / triangles for each.
-    double cost() const { return choices_.front().cost[0]; }
-
-  private:
-    /// The best way to put a subtree into at most i lanes of a wide node above it.
-    struct Choice {
-        /// Entry [i - 1]: the cost of the wide nodes this takes.
-        std::array<float, kMostLanes> cost{};
-        /// Entry [i - 1]: the number of lanes that go to the left child; 0 if one lane fewer is best. Entry
-        /// [0]: if this subtree becomes its own wide node, how many of that node's lanes its left child takes
-        /// (0 for a leaf).
-        std::array<std::int8_t, kMostLanes> leftLanes{};
-    };
-
-    void choose(std::int32_t node);
-    void appendLanes(std::int32_t node, int lanes, std::vector<std::int32_t>& result) const;
-
-    const BinaryTree& tree_;
-    const int lanes_;
-    std::vector<Choice> choices_;  ///< by node
-};
+/// Makes the flat tree, with the wide nodes that Collapse chooses; width 2 keeps the binary tree. The inner nodes must have been
+/// rated. Throws ArgumentError when no tree has nodes of this width.
+FlatTree flatten(const BinaryTree& tree, const CleanMesh& mesh, int nodeWidth,
+                 FitFrames frames = FitFrames::leastOfSeveral);
 
 }  // namespace clearway

@@ -45,15 +45,16 @@ BinaryTree buildByMeanSplit(const CleanMesh& mesh, std::vector<std::uint32_t> tr
 struct NamedGeneralSplit {
     const char* name;
     GeneralSplit build;
+    bool isImproved;  ///< by reinsertion; the others stay as their sources describe them
 };
 
 constexpr NamedGeneralSplit kGeneralSplits[] = {
-    {"sah", buildBySah},
+    {"sah", buildBySah, true},
 #ifndef CLEARWAY_WITHOUT_EMBREE
-    {"embree", buildByEmbree},
+    {"embree", buildByEmbree, false},
 #endif
-    {"axis", buildByAxisSplit},
-    {"mean", buildByMeanSplit},
+    {"axis", buildByAxisSplit, false},
+    {"mean", buildByMeanSplit, false},
 };
 
 /// Throws ArgumentError that lists the known names.

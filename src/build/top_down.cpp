@@ -6,8 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/parallel.h"
-
 namespace clearway {
 
 namespace {
@@ -19,95 +17,55 @@ Vector3 tripleCentroid(const CleanMesh& mesh, std::uint32_t triangle, const Vect
            (mesh.vertices[c] - relativeTo);
 }
 
-BinaryNode nodeOver(std::uint32_t firstTriangle, std::size_t count) {
-    BinaryNode node;
-    node.firstTriangle = firstTriangle;
-    node.triangleCount = static_cast<std::uint32_t>(count);
-    return node;
-}
-
-/// The result of one task: a subtree, or a large node alone with the results of its children.
-struct Part {
-    std::vector<BinaryNode> nodes;  ///< children as indices into these
-    std::unique_ptr<Part> left, right;
-};
-
-class TopDown {
+class TopDownSplit {
   public:
-    TopDown(const CleanMesh& mesh, std::vector<std::uint32_t>& order, std::size_t largestGroup,
-            const MakeNodeSplit& makeNodeSplit)
-        : mesh_(mesh), order_(order), largestGroup_(largestGroup), makeNodeSplit_(makeNodeSplit) {}
+    TopDownSplit(const CleanMesh& mesh, std::vector<std::uint32_t>& order, std::size_t largestGroup,
+                 NodeSplit split)
+        : mesh_(mesh), order_(order), largestGroup_(largestGroup), split_(std::move(split)) {}
 
-    /// Builds the subtree below the root, which is at this depth of the whole tree.
-    std::unique_ptr<Part> build(const BinaryNode& root, int depth) const {
-        auto part = std::make_unique<Part>();
-        part->nodes.push_back(root);
-        const NodeSplit split = makeNodeSplit_();
-        if (root.triangleCount <= kTaskTriangles || root.triangleCount <= largestGroup_) {
-            splitAllBelow(part->nodes, depth, split);
-            return part;
-        }
-        const std::size_t leftCount = leftCountOf(root, depth, split);
-        invokeBoth([&] { part->left = build(leftChild(root, leftCount), depth + 1); },
-                   [&] { part->right = build(rightChild(root, leftCount), depth + 1); });
-        return part;
-    }
-
-  private:
-    struct Pending {
-        std::size_t node;
-        int depth;
-    };
-
-    static BinaryNode leftChild(const BinaryNode& node, std::size_t leftCount) {
-        return nodeOver(node.firstTriangle, leftCount);
-    }
-    static BinaryNode rightChild(const BinaryNode& node, std::size_t leftCount) {
-        return nodeOver(node.firstTriangle + static_cast<std::uint32_t>(leftCount),
-                        node.triangleCount - leftCount);
-    }
-
-    std::size_t leftCountOf(const BinaryNode& node, int depth, const NodeSplit& split) const {
+    std::size_t leftCountOf(const BinaryNode& node, int depth) const {
         std::uint32_t* first = order_.data() + node.firstTriangle;
         const TriangleRun run{first, first + node.triangleCount};
-        const std::size_t leftCount = depth < kDeepestSplit ? split(run) : 0;
+        const std::size_t leftCount = depth < kDeepestSplit ? split_(run) : 0;
         return leftCount == 0 || leftCount == run.size() ? splitInHalves(mesh_, run) : leftCount;
     }
 
-    void splitAllBelow(std::vector<BinaryNode>& nodes, int rootDepth, const NodeSplit& split) const {
+    void splitAllBelow(std::vector<BinaryNode>& nodes, int rootDepth) const {
+        struct Pending {
+            std::size_t node;
+            int depth;
+        };
         std::vector<Pending> pending{{0, rootDepth}};  // an explicit stack, so that no tree is too deep
         while (!pending.empty()) {
             const auto [index, depth] = pending.back();
             pending.pop_back();
-            const BinaryNode node = nodes[index];
-            if (node.triangleCount <= largestGroup_) continue;
-            const std::size_t leftCount = leftCountOf(node, depth, split);
-            const std::size_t left = nodes.size();
-            nodes[index].left = static_cast<std::int32_t>(left);
-            nodes[index].right = static_cast<std::int32_t>(left + 1);
-            nodes.push_back(leftChild(node, leftCount));
-            nodes.push_back(rightChild(node, leftCount));
+            if (nodes[index].triangleCount <= largestGroup_) continue;
+            const std::size_t left = addChildren(nodes, index, leftCountOf(nodes[index], depth));
             pending.push_back({left + 1, depth + 1});
             pending.push_back({left, depth + 1});
         }
     }
 
+  private:
     const CleanMesh& mesh_;
     std::vector<std::uint32_t>& order_;
     const std::size_t largestGroup_;
-    const MakeNodeSplit& makeNodeSplit_;
+    const NodeSplit split_;
 };
 
-/// Appends a part's nodes, then those of its children.
-void append(const Part& part, std::vector<BinaryNode>& nodes) {
+std::size_t countNodes(const SubtreeNodes& part) {
+    return part.nodes.size() + (part.left == nullptr ? 0 : countNodes(*part.left) + countNodes(*part.right));
+}
+
+/// Appends a subtree's nodes, then those of its children.
+void append(const SubtreeNodes& part, std::vector<BinaryNode>& nodes) {
     const std::size_t root = nodes.size();
     const std::int32_t shift = static_cast<std::int32_t>(root);
-    for (BinaryNode node : part.nodes) {
-        if (!node.isLeaf()) {
-            node.left += shift;
-            node.right += shift;
-        }
-        nodes.push_back(node);
+    nodes.insert(nodes.end(), part.nodes.begin(), part.nodes.end());
+    for (std::size_t i = root; i < nodes.size(); ++i) {
+        if (nodes[i].isLeaf()) continue;
+        nodes[i].left += shift;
+        nodes[i].right += shift;
     }
     if (part.left == nullptr) return;
     nodes[root].left = static_cast<std::int32_t>(nodes.size());
@@ -158,13 +116,34 @@ std::size_t splitInHalves(const CleanMesh& mesh, TriangleRun run) {
     return run.size() / 2;
 }
 
+std::size_t addChildren(std::vector<BinaryNode>& nodes, std::size_t node, std::size_t leftCount) {
+    const std::size_t left = nodes.size();
+    BinaryNode child;
+    child.firstTriangle = nodes[node].firstTriangle;
+    child.triangleCount = static_cast<std::uint32_t>(leftCount);
+    child.axes = nodes[node].axes;
+    nodes[node].left = static_cast<std::int32_t>(left);
+    nodes[node].right = static_cast<std::int32_t>(left + 1);
+    const std::uint32_t rightCount = nodes[node].triangleCount - child.triangleCount;
+    nodes.push_back(child);
+    child.firstTriangle += child.triangleCount;
+    child.triangleCount = rightCount;
+    nodes.push_back(child);
+    return left;
+}
+
+void joinSubtrees(const SubtreeNodes& root, BinaryTree& tree) {
+    tree.nodes.reserve(countNodes(root));
+    append(root, tree.nodes);
+}
+
 BinaryTree buildTopDown(const CleanMesh& mesh, std::vector<std::uint32_t> triangles, std::size_t largestGroup,
                         const MakeNodeSplit& makeNodeSplit) {
     assert(!triangles.empty() && largestGroup >= 1);
     BinaryTree tree;
     tree.order = std::move(triangles);
-    const TopDown build(mesh, tree.order, largestGroup, makeNodeSplit);
-    append(*build.build(nodeOver(0, tree.order.size()), 0), tree.nodes);
+    buildInTasks(tree, largestGroup,
+                 [&] { return TopDownSplit(mesh, tree.order, largestGroup, makeNodeSplit()); });
     return tree;
 }
 

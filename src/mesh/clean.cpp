@@ -1,16 +1,21 @@
-// Welds vertices and finds duplicate triangles with one kind of hash table; decides zero areas exactly.
+// Welds vertices by a hash table, finds duplicate triangles by their least vertices, and decides zero areas exactly.
 // Source of the area filter: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
 // Predicates, 1997.
 #include "mesh/clean.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "core/hash.h"
+#include "core/parallel.h"
 #include "mesh/check.h"
 
 namespace clearway {
@@ -19,68 +24,78 @@ namespace {
 
 constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
-/// Finds the first of equal items, by open addressing with linear probing. The caller keeps the items and
-/// numbers them 0, 1, 2, ...
-class FirstOfEqual {
-  public:
-    explicit FirstOfEqual(std::size_t items) {
-        std::size_t capacity = 16;
-        while (capacity < 2 * items) capacity *= 2;
-        slots_.assign(capacity, kNoNumber);
-    }
+constexpr std::size_t kItemsAtATime = 32768;
 
-    /// The number of an equal earlier item, or else newNumber, which the new item gets.
-    template <typename IsEqual>
-    std::uint32_t findOrInsert(std::uint64_t hash, std::uint32_t newNumber, IsEqual isEqual) {
-        const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask) {
-            if (slots_[slot] == kNoNumber) return slots_[slot] = newNumber;
-            if (isEqual(slots_[slot])) return slots_[slot];
-        }
-    }
-
-  private:
-    std::vector<std::uint32_t> slots_;
-};
-
-std::uint64_t hashOf(const Vector3& vertex) {
-    std::uint64_t hash = 0;
-    for (int i = 0; i < 3; ++i) {
-        std::uint64_t word;
-        std::memcpy(&word, vertex.data() + i, sizeof word);
-        hash = mixed(hash ^ word);
-    }
-    return hash;
+/// Calls work(first, last) for runs of `count` items, in parallel.
+template <class Work>
+void forEachRun(std::size_t count, const Work& work) {
+    forEachInParallel((count + kItemsAtATime - 1) / kItemsAtATime, [&](std::size_t run) {
+        work(run * kItemsAtATime, std::min(count, (run + 1) * kItemsAtATime));
+    });
 }
 
-std::vector<bool> usedVertices(const Mesh& mesh) {
-    std::vector<bool> used(mesh.vertices.size(), false);
-    for (const TriangleIndices& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) used[vertex] = true;
+/// Equal vertices have equal hashes: adding 0 turns -0.0 into 0.0.
+std::uint32_t hashOf(const Vector3& vertex) {
+    std::uint64_t hash = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double coordinate = vertex[i] + 0.0;
+        std::uint64_t word;
+        std::memcpy(&word, &coordinate, sizeof word);
+        hash = mixed(hash ^ word);
     }
-    return used;
+    return static_cast<std::uint32_t>(hash);
+}
+
+std::vector<std::uint8_t> usedVertices(const Mesh& mesh) {
+    std::vector<std::uint8_t> isUsed(mesh.vertices.size(), 0);
+    for (const TriangleIndices& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) isUsed[vertex] = 1;
+    }
+    return isUsed;
 }
 
 /// Fills clean.vertices and returns the new number of each given vertex; kNoNumber for unused vertices.
 std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
-    const std::vector<bool> used = usedVertices(mesh);
-    std::vector<std::uint32_t> numbers(mesh.vertices.size(), kNoNumber);
-    FirstOfEqual table(mesh.vertices.size());
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        if (!used[i]) {
+    const std::size_t count = mesh.vertices.size();
+    const std::vector<std::uint8_t> isUsed = usedVertices(mesh);
+    // The table is addressed openly, with linear probing. A slot holds hash and number, so that a vertex is read only where the
+    // hashes agree; slots to come are fetched ahead, since most of the time would be spent waiting for them.
+    struct Slot {
+        std::uint32_t hash;
+        std::uint32_t number;
+    };
+    constexpr std::size_t kAhead = 24;
+    std::size_t capacity = 16;
+    while (capacity < 2 * count) capacity *= 2;
+    const std::size_t mask = capacity - 1;
+    std::vector<Slot> slots(capacity, {0, kNoNumber});
+    std::vector<std::uint32_t> hashes(count), numbers(count, kNoNumber);
+    forEachRun(count, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) hashes[i] = hashOf(mesh.vertices[i]);
+    });
+    clean.vertices.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+#ifdef __GNUC__
+        if (i + kAhead < count) __builtin_prefetch(&slots[hashes[i + kAhead] & mask], 1);
+#endif
+        if (!isUsed[i]) {
             ++clean.report.unusedVertices;
             continue;
         }
-        const Vector3 vertex = mesh.vertices[i] + Vector3::Zero();  // turns -0.0 into 0.0
-        const auto newNumber = static_cast<std::uint32_t>(clean.vertices.size());
-        numbers[i] = table.findOrInsert(hashOf(vertex), newNumber, [&](std::uint32_t number) {
-            return clean.vertices[number] == vertex;
-        });
-        if (numbers[i] == newNumber) {
+        const Vector3 vertex = mesh.vertices[i] + Vector3::Zero();
+        std::size_t at = hashes[i] & mask;
+        const auto isOther = [&](const Slot& slot) {
+            return slot.number != kNoNumber &&
+                   !(slot.hash == hashes[i] && clean.vertices[slot.number] == vertex);
+        };
+        while (isOther(slots[at])) at = (at + 1) & mask;
+        if (slots[at].number == kNoNumber) {
+            slots[at] = {hashes[i], static_cast<std::uint32_t>(clean.vertices.size())};
             clean.vertices.push_back(vertex);
         } else {
             ++clean.report.weldedVertices;
         }
+        numbers[i] = slots[at].number;
     }
     return numbers;
 }
@@ -91,25 +106,71 @@ TriangleIndices sorted(TriangleIndices triangle) {
     return triangle;
 }
 
-void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numbers, CleanMesh& clean) {
-    clean.triangles.reserve(mesh.triangles.size());
-    clean.triangleIds.reserve(mesh.triangles.size());
-    FirstOfEqual table(mesh.triangles.size());
-    for (std::size_t id = 0; id < mesh.triangles.size(); ++id) {
-        TriangleIndices triangle;
-        for (int i = 0; i < 3; ++i) triangle[i] = numbers[mesh.triangles[id][i]];
-        const TriangleIndices key = sorted(triangle);
-        const auto newNumber = static_cast<std::uint32_t>(clean.triangles.size());
-        const std::uint64_t hash = mixed(mixed(mixed(key[0]) ^ key[1]) ^ key[2]);
-        const std::uint32_t number = table.findOrInsert(
-            hash, newNumber, [&](std::uint32_t kept) { return sorted(clean.triangles[kept]) == key; });
-        if (number != newNumber) {
-            ++clean.report.duplicateTriangles;
+/// The triangles that equal an earlier one, in any order of their vertices. They are looked for among those that have the same
+/// least vertex, which are few.
+std::vector<std::uint32_t> findDuplicates(const std::vector<TriangleIndices>& triangles,
+                                          std::size_t vertices) {
+    const auto leastOf = [&](std::size_t i) {
+        return std::min({triangles[i][0], triangles[i][1], triangles[i][2]});
+    };
+    std::vector<std::uint32_t> end(vertices + 1, 0);  // of the triangles of each least vertex, in byLeast
+    for (std::size_t i = 0; i < triangles.size(); ++i) ++end[leastOf(i) + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<std::uint32_t> byLeast(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        byLeast[end[leastOf(i)]++] = static_cast<std::uint32_t>(i);
+
+    std::vector<std::uint32_t> duplicates;
+    constexpr std::size_t kFew = 32;  // beyond, comparing each with each would take long
+    std::vector<std::pair<TriangleIndices, std::uint32_t>> many;
+    for (std::size_t vertex = 0, first = 0; vertex < vertices; first = end[vertex++]) {
+        const std::uint32_t* group = byLeast.data() + first;
+        const std::size_t count = end[vertex] - first;
+        if (count > kFew) {
+            many.clear();
+            for (std::size_t i = 0; i < count; ++i) many.emplace_back(sorted(triangles[group[i]]), group[i]);
+            std::sort(many.begin(), many.end());
+            for (std::size_t i = 1; i < count; ++i) {
+                if (many[i].first == many[i - 1].first) duplicates.push_back(many[i].second);
+            }
             continue;
         }
-        clean.triangles.push_back(triangle);
-        clean.triangleIds.push_back(static_cast<std::uint32_t>(id));
+        std::array<TriangleIndices, kFew> keys;
+        for (std::size_t i = 0; i < count; ++i) {
+            keys[i] = sorted(triangles[group[i]]);
+            if (std::find(keys.begin(), keys.begin() + std::ptrdiff_t(i), keys[i]) !=
+                keys.begin() + std::ptrdiff_t(i))
+                duplicates.push_back(group[i]);
+        }
     }
+    std::sort(duplicates.begin(), duplicates.end());
+    return duplicates;
+}
+
+void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numbers, CleanMesh& clean) {
+    clean.triangles.resize(mesh.triangles.size());
+    forEachRun(mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) clean.triangles[i][k] = numbers[mesh.triangles[i][k]];
+        }
+    });
+    clean.triangleIds.resize(mesh.triangles.size());
+    std::iota(clean.triangleIds.begin(), clean.triangleIds.end(), 0u);
+    const std::vector<std::uint32_t> duplicates = findDuplicates(clean.triangles, clean.vertices.size());
+    clean.report.duplicateTriangles = duplicates.size();
+    if (duplicates.empty()) return;
+    std::size_t kept = 0;
+    auto duplicate = duplicates.begin();
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (duplicate != duplicates.end() && *duplicate == i) {
+            ++duplicate;
+            continue;
+        }
+        clean.triangles[kept] = clean.triangles[i];
+        clean.triangleIds[kept++] = i;
+    }
+    clean.triangles.resize(kept);
+    clean.triangleIds.resize(kept);
 }
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -154,12 +215,16 @@ CleanMesh clean(const Mesh& mesh) {
     requireSoundMesh(mesh);
     CleanMesh clean;
     keepFirstTriangles(mesh, weld(mesh, clean), clean);
-    for (const TriangleIndices& triangle : clean.triangles) {
-        if (isDegenerate(clean.vertices[triangle[0]], clean.vertices[triangle[1]],
-                         clean.vertices[triangle[2]])) {
-            ++clean.report.degenerateTriangles;
-        }
-    }
+    std::atomic<std::size_t> degenerate{0};
+    forEachRun(clean.triangles.size(), [&](std::size_t first, std::size_t last) {
+        degenerate += static_cast<std::size_t>(std::count_if(
+            clean.triangles.begin() + std::ptrdiff_t(first), clean.triangles.begin() + std::ptrdiff_t(last),
+            [&](const TriangleIndices& triangle) {
+                return isDegenerate(clean.vertices[triangle[0]], clean.vertices[triangle[1]],
+                                    clean.vertices[triangle[2]]);
+            }));
+    });
+    clean.report.degenerateTriangles = degenerate;
     return clean;
 }
 

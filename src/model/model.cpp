@@ -1,4 +1,4 @@
-// Builds a model: mesh, clean mesh, binary tree, flat tree.
+// Builds a model: mesh, clean mesh, tree.
 #include "clearway/model.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "build/build.h"
-#include "build/flatten.h"
 #include "core/clock.h"
+#include "core/parallel.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "model/model_data.h"
@@ -28,14 +28,14 @@ Model Model::build(const Mesh& mesh, const BuildOptions& options, const std::opt
     const Clock::time_point start = Clock::now();
     requireBuildOptions(options);
     if (range) requireRange(*range);
-    CleanMesh cleaned = clean(mesh);
+    CleanMesh cleaned = onThreads(options.threads, [&] { return clean(mesh); });
 
     auto data = std::make_shared<Data>();
     data->id = newId();
     data->key = modelKey(mesh, options, range);
     if (range) data->report.unreachableTriangles = leaveOutUnreachable(cleaned, *range);
     if (data->report.unreachableTriangles > 0) data->range = range;
-    data->tree = flatten(buildBinaryTree(cleaned, options), cleaned, options.nodeWidth);
+    data->tree = buildTree(cleaned, options);
     // Queries derive M and the default width of an interval from this box: both stay those of the whole mesh.
     if (data->range) data->tree.box = boundingBox(mesh);
     data->components = componentsOf(mesh);

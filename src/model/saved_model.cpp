@@ -23,7 +23,7 @@ namespace clearway {
 namespace {
 
 constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 7;
+constexpr std::uint64_t kVersion = 8;
 constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
 
 [[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {

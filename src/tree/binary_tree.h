@@ -1,19 +1,28 @@
-// The binary tree that a build makes and flattening reads. Its leaves are runs of triangles.
+// The binary tree that a build divides the triangles into, before wide nodes are made of it. Its leaves are runs of triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "tree/rss.h"
-
 namespace clearway {
 
+/// Three orthonormal axes, one after the other.
+using FrameAxes = std::array<float, 9>;
+
+constexpr FrameAxes kModelAxes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// The area of nodes that were not rated yet, and of leaves.
+constexpr float kNotRated = -1;
+
 struct BinaryNode {
-    Rss volume;
     std::int32_t left = -1;  ///< index into BinaryTree::nodes; -1 for a leaf
     std::int32_t right = -1;
     std::uint32_t firstTriangle = 0;  ///< into BinaryTree::order, for inner nodes too
     std::uint32_t triangleCount = 0;
+    float area =
+        kNotRated;  ///< of a volume around (a sample of) the triangles, in a unit that all nodes share
+    FrameAxes axes = kModelAxes;  ///< the frame of that volume; its parent's if the node was not rated
 
     bool isLeaf() const { return left < 0; }
 };

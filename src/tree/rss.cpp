@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Lengths and axis entries below these are stored as 0, because products of the others are then never
-/// denormal floats, which are slow. Bounds stay sound: the radius is measured from the stored rectangle.
 constexpr double kLeastLength = 0x1p-60;  // tree units
 constexpr double kLeastAxisEntry = 0x1p-40;
 
@@ -38,12 +36,12 @@ FloatRss roundRectangle(const Rss& rss, const Vector3& origin, double inverseUni
     FloatRss stored;
     const Vector3 centre = rss.centre * inverseUnit - origin * inverseUnit;
     for (int i = 0; i < 3; ++i) {
-        stored.centre[i] = flushed(centre[i], kLeastLength);
-        stored.axis0[i] = flushed(rss.axes(i, 0), kLeastAxisEntry);
-        stored.axis1[i] = flushed(rss.axes(i, 1), kLeastAxisEntry);
+        stored.centre[i] = storedLength(centre[i]);
+        stored.axis0[i] = storedAxisEntry(rss.axes(i, 0));
+        stored.axis1[i] = storedAxisEntry(rss.axes(i, 1));
     }
-    stored.halfLength0 = flushed(rss.halfLength0 * inverseUnit, kLeastLength);
-    stored.halfLength1 = flushed(rss.halfLength1 * inverseUnit, kLeastLength);
+    stored.halfLength0 = storedLength(rss.halfLength0 * inverseUnit);
+    stored.halfLength1 = storedLength(rss.halfLength1 * inverseUnit);
     return stored;
 }
 
@@ -70,6 +68,21 @@ float roundedUp(double value) {
     return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
 }
 
+float storedLength(double length) {
+    return flushed(length, kLeastLength);
+}
+
+float storedAxisEntry(double entry) {
+    return flushed(entry, kLeastAxisEntry);
+}
+
+float storedRadius(const FloatRss& rectangle, double distanceSquared, double normSquared) {
+    const double magnitude = std::sqrt(normSquared) + vectorOf(rectangle.centre).norm() +
+                             double(rectangle.halfLength0) + double(rectangle.halfLength1);
+    if (magnitude == 0) return 0;  // points at the origin need no rounding
+    return roundedUp(std::sqrt(distanceSquared) + kDistanceRounding * magnitude + kUnderflow);
+}
+
 FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const Vector3& origin,
                       double unit) {
     const double inverseUnit = 1 / unit;
@@ -94,12 +107,7 @@ FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const 
             std::max(largestDistanceSquared, (offset - s * axis0 - t * axis1).squaredNorm());
         largestNormSquared = std::max(largestNormSquared, x.squaredNorm());
     }
-    const double magnitude = std::sqrt(largestNormSquared) + centre.norm() + halfLength0 + halfLength1;
-    // Points at the origin need no rounding: their radius is exactly 0.
-    stored.radius =
-        magnitude == 0
-            ? 0.0f
-            : roundedUp(std::sqrt(largestDistanceSquared) + kDistanceRounding * magnitude + kUnderflow);
+    stored.radius = storedRadius(stored, largestDistanceSquared, largestNormSquared);
     return stored;
 }
 

@@ -36,6 +36,16 @@ struct FloatRss {
 /// The least float that is not below the value.
 float roundedUp(double value);
 
+/// A length and an entry of an axis as they are stored, tree units. Small ones become 0, because products of the others are then
+/// never denormal floats, which are slow. Bounds stay sound: the radius is measured from the stored rectangle.
+float storedLength(double length);
+float storedAxisEntry(double entry);
+
+/// The radius that holds every point, given the largest of their squared distances from the stored rectangle and of their squared
+/// distances from the origin, computed in double without fused operations: rounded up, with room for the rounding of both. Tree
+/// units.
+float storedRadius(const FloatRss& rectangle, double distanceSquared, double normSquared);
+
 /// Rounds the rectangle to floats ((x - origin) / unit). The radius is the largest distance of a point from
 /// the stored rectangle, computed in double and rounded up, so every point is inside the stored volume. unit:
 /// a power of two.

@@ -9,6 +9,7 @@
 #include "build/check_tree.h"
 #include "build/sample_meshes.h"
 #include "build/top_down.h"
+#include "support/each_target.h"
 #include "support/full_run.h"
 
 namespace clearway::testing {
@@ -23,7 +24,7 @@ const std::vector<int> kLeafSizes =
     isFullRun() ? std::vector<int>{1, 2, 4, 8, 16} : std::vector<int>{1, 4, 16};
 
 FlatTree build(const CleanMesh& mesh, const BuildOptions& options) {
-    return flatten(buildBinaryTree(mesh, options), mesh, options.nodeWidth);
+    return buildTree(mesh, options);
 }
 
 const auto eachGeneralSplit = data::make(generalSplitNames());
@@ -88,6 +89,15 @@ BOOST_DATA_TEST_CASE(the_tree_does_not_depend_on_the_number_of_threads, eachGene
         BOOST_TEST_CONTEXT(threads << " threads") {
             checkSameTree(alone, build(mesh, {general, "none", 4, 8, fit, threads}));
         }
+    }
+}
+
+BOOST_DATA_TEST_CASE(the_tree_does_not_depend_on_the_instruction_set,
+                     eachTarget() * eachGeneralSplit * eachFit, target, general, fit) {
+    for (const CleanMesh& mesh : {cleanMeshOf(bentSheet(60, 40)), cleanMeshOf(soup(900, 23))}) {
+        const FlatTree best = build(mesh, {general, "none", 4, 8, fit, 1});
+        const UsingTarget thatTarget(target);
+        checkSameTree(best, build(mesh, {general, "none", 4, 8, fit, 1}));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "build/build.h"
 #include "build/check_tree.h"
+#include "build/collapse.h"
 #include "build/flatten.h"
 #include "build/sample_meshes.h"
 
@@ -53,11 +54,12 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
         const auto [wide, node] = pending.back();
         pending.pop_back();
         ++visited;
-        const std::vector<std::int32_t> lanes = collapse.lanesOf(node);
+        Collapse::Lanes lanes;
+        const auto count = std::size_t(collapse.lanesOf(node, lanes));
         for (std::size_t lane = 0; lane < 8; ++lane) {
             const std::int32_t child = tree.nodes<8>()[wide].child[lane];
-            BOOST_REQUIRE((child == kNoChild) == (lane >= lanes.size()));
-            if (lane >= lanes.size()) continue;
+            BOOST_REQUIRE((child == kNoChild) == (lane >= count));
+            if (lane >= count) continue;
             BOOST_REQUIRE((child < 0) == binary.nodes[lanes[lane]].isLeaf());
             if (child >= 0) {
                 pending.push_back({child, lanes[lane]});

@@ -29,6 +29,12 @@ double toFloat(double x) {
     return static_cast<float>(x);
 }
 
+LeafCorners cornersOf(const std::vector<Vector3>& points) {
+    LeafCorners corners;
+    for (const Vector3& point : points) corners.add(point);
+    return corners;
+}
+
 /// The same bits, except that -0 is 0.
 bool isSame(double a, double b) {
     a += 0.0, b += 0.0;
@@ -136,9 +142,9 @@ BOOST_AUTO_TEST_CASE(subnormal_and_huge_coordinates_keep_their_bits) {
 
 BOOST_AUTO_TEST_CASE(no_offset_of_an_exact_leaf_is_denormal) {
     const double tiny = 0x1p-130;
-    const LeafCentre centre = chooseLeafCentre({{0, 0, 0}, {tiny, 0, 0}, {1, 0, 0}}, {0, 0, 0}, 1);
+    const LeafCentre centre = chooseLeafCentre(cornersOf({{0, 0, 0}, {tiny, 0, 0}, {1, 0, 0}}), {0, 0, 0}, 1);
     BOOST_TEST(!centre.isExact);
-    BOOST_TEST(chooseLeafCentre({{0, 0, 0}, {0x1p-120, 0, 0}, {1, 0, 0}}, {0, 0, 0}, 1).isExact);
+    BOOST_TEST(chooseLeafCentre(cornersOf({{0, 0, 0}, {0x1p-120, 0, 0}, {1, 0, 0}}), {0, 0, 0}, 1).isExact);
 }
 
 BOOST_AUTO_TEST_CASE(a_centre_is_near_the_middle) {
@@ -152,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_centre_is_near_the_middle) {
             corners.push_back((at + random.inBox(size)).unaryExpr(std::function<double(double)>(toFloat)));
             box.extend(corners.back());
         }
-        const LeafCentre centre = chooseLeafCentre(corners, {0.25, 0, -0.5}, 2);
+        const LeafCentre centre = chooseLeafCentre(cornersOf(corners), {0.25, 0, -0.5}, 2);
         BOOST_REQUIRE(centre.isExact);
         const double least = 0.5 * box.diagonal().norm();
         for (const Vector3& corner : corners) {

@@ -1,210 +1,312 @@
-// The surface-area heuristic: each node is cut between two bins of triangles, along an axis of the one of
-// three frames that makes the cut cheapest. In large nodes a sample of the triangles chooses the frame.
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+// The surface-area heuristic: each node is cut between two bins of triangles, along an axis of a frame in which its triangles lie
+// well. Large nodes try three frames with a sample of their triangles; small ones, which are most, take the one of two frames in
+// which a volume around them has the least area. That area is kept for the collapse, and the frame for the nodes below.
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include <cassert>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "build/fit_rss.h"
 #include "build/general_splits.h"
-#include "build/split/bins.h"
+#include "build/scratch_array.h"
 #include "build/top_down.h"
-#include "tree/normalisation.h"
+#include "build/triangle_corners.h"
+#include "core/parallel.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "build/split/sah.cpp"
+#include "hwy/foreach_target.h"  // must come before highway.h
+
+#include "build/split/bins-inl.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace clearway {
+namespace HWY_NAMESPACE {
 
-namespace {
+/// Nodes of up to this many triangles are small.
+constexpr std::size_t kMostInSmall = 64;
 
-using Matrix3f = Eigen::Matrix3f;
+/// A sample of a large node's triangles chooses the frame: this share of them, within these numbers. The stride is odd, because
+/// many meshes are rows of pairs of triangles, so that an even stride would see half of each.
+constexpr std::size_t kSampleShare = 8, kLeastSample = 128, kMostSample = 16384;
+constexpr std::size_t kMostForMoments = 65536;
+constexpr std::size_t kMostForArea = 256;
 
-/// Corners relative to the centre of the mesh, in a unit that makes the mesh about 1 large. Floats suffice to
-/// rate planes.
-std::vector<CornerLanes> normalisedCorners(const CleanMesh& mesh) {
-    const Normalisation normalised = normalisationOf(mesh.vertices);
-    std::vector<CornerLanes> corners(mesh.triangles.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const Vector3 point = normalised(mesh.vertices[mesh.triangles[i][k]]);
-            corners[i].corner[k] << point.cast<float>().array(), 0.0f;
-        }
-    }
-    return corners;
+inline std::size_t OddStride(std::size_t count, std::size_t wanted) {
+    return count <= wanted ? 1 : (count / wanted) | 1;
 }
 
-/// Sums over weighted points, in float for a while and then in double.
-struct WeightedMoments {
-    struct Sums {
-        Lanes4 first = Lanes4::Zero();    ///< x, y, z
-        Lanes4 squares = Lanes4::Zero();  ///< xx, yy, zz
-        Lanes4 mixed = Lanes4::Zero();    ///< xy, yz, zx
-        float weight = 0;
-    };
-    double weight = 0;
-    Vector3 sum = Vector3::Zero();
-    Vector3 squares = Vector3::Zero();
-    Vector3 mixed = Vector3::Zero();
+/// Above this many triangles, the triangles of one node are shared out among threads, in this many parts.
+constexpr std::size_t kLeastToShare = 65536, kShares = 16;
 
-    void add(const Sums& sums) {
-        weight += sums.weight;
-        sum += sums.first.head<3>().matrix().cast<double>();
-        squares += sums.squares.head<3>().matrix().cast<double>();
-        mixed += sums.mixed.head<3>().matrix().cast<double>();
-    }
+/// Float corners blur nodes whose spread is below this share of their distance from the origin: their corners are taken from the
+/// mesh, relative to one of them.
+constexpr float kLeastSpread = 0x1p-12f;
 
-    /// Eigenvectors of the covariance. The direct solver is fast and accurate enough to rate planes.
-    Matrix3f axes() const {
-        const Vector3 mean = sum / weight;
-        Matrix3 products = squares.asDiagonal();
-        products(0, 1) = products(1, 0) = mixed[0];
-        products(1, 2) = products(2, 1) = mixed[1];
-        products(0, 2) = products(2, 0) = mixed[2];
-        const Matrix3 covariance = products / weight - mean * mean.transpose();
-        return Eigen::SelfAdjointEigenSolver<Matrix3>()
-            .computeDirect(covariance)
-            .eigenvectors()
-            .cast<float>();
-    }
-};
-
-/// <x, y, z> as <y, z, x>.
-Lanes4 turned(const Lanes4& v) {
-    return Lanes4(v[1], v[2], v[0], v[3]);
-}
-
-/// From this many triangles on, a sample chooses the frame: that is two thirds of the work. Every third
-/// triangle, because many meshes are rows of pairs of triangles, so that an even stride would see half of each.
-constexpr std::size_t kLeastToSample = 2048;
-constexpr std::size_t kStride = 3;
-
+/// Splits nodes for buildInTasks.
 class SahSplit {
   public:
-    SahSplit(const CleanMesh& mesh, std::shared_ptr<const std::vector<CornerLanes>> corners)
-        : mesh_(mesh), allCorners_(std::move(corners)) {}
+    SahSplit(const CleanMesh& mesh, const Normalisation& normalised, TriangleCorners& triangles,
+             std::vector<std::uint32_t>& order, std::size_t largestGroup)
+        : mesh_(mesh),
+          normalised_(normalised),
+          triangles_(triangles),
+          order_(order),
+          largestGroup_(largestGroup),
+          small_(kLaneBlock),
+          bins_(std::make_unique<Bins>()) {}
 
-    std::size_t operator()(TriangleRun run) {
-        const std::size_t stride = run.size() < kLeastToSample ? 1 : kStride;
-        gather(run, stride);
-        cheapest_ = BinnedPlane();
-        WeightedMoments corners;
-        WeightedMoments area;
-        sumMoments(corners, area);
-        tryFrame(corners.axes());
-        if (area.weight > 0) tryFrame(area.axes());
-        tryFrame(Matrix3f::Identity());
-        if (stride > 1 && cheapest_.axis >= 0) binAll(run);
-        return cheapest_.axis < 0 ? splitAtMean(run) : partition(run);
+    std::size_t leftCountOf(BinaryNode& node, int depth) {
+        const std::size_t left = cut(node);
+        return checked(node, depth, left);
+    }
+
+    void splitAllBelow(std::vector<BinaryNode>& nodes, int rootDepth) {
+        nodes.reserve(nodes.front().triangleCount + std::size_t(1));
+        push({0, rootDepth}, nodes);
+        while (!waitingLarge_.empty() || !waitingSmall_.empty()) {
+            if (waitingSmall_.size() >= kLaneBlock || waitingLarge_.empty()) {
+                splitSmall(nodes);
+            } else {
+                const Pending next = waitingLarge_.back();
+                waitingLarge_.pop_back();
+                divide(nodes, next, cutLarge(nodes[next.node]));
+            }
+        }
+        for (const BinaryNode& node : nodes) {
+            if (node.isLeaf()) noteOrder(node);
+        }
     }
 
   private:
-    /// Collects corners relative to one of them, so that small nodes lose no digits.
-    void gather(TriangleRun run, std::size_t stride) {
-        origin_ = (*allCorners_)[*run.first].corner[0];
-        triangles_.clear();
-        for (std::size_t i = 0; i < run.size(); i += stride) triangles_.push_back(cornersAt(run.first[i]));
+    struct Pending {
+        std::size_t node;
+        int depth;
+    };
+
+    std::size_t cut(BinaryNode& node) {
+        if (node.triangleCount > kMostInSmall) return cutLarge(node);
+        frames_.set(0, gatherSmall(node, small_[0]));
+        frames_.solve();
+        return cutSmall(node, small_[0], frames_.axes(0));
     }
 
-    CornerLanes cornersAt(std::uint32_t triangle) const {
-        CornerLanes corners = (*allCorners_)[triangle];
-        for (Lanes4& corner : corners.corner) corner -= origin_;
-        return corners;
+    void push(const Pending& next, const std::vector<BinaryNode>& nodes) {
+        const std::size_t count = nodes[next.node].triangleCount;
+        if (count <= largestGroup_) return;
+        (count <= kMostInSmall ? waitingSmall_ : waitingLarge_).push_back(next);
     }
 
-    /// Sums the moments of the gathered triangles' corners and of their area.
-    void sumMoments(WeightedMoments& corners, WeightedMoments& area) const {
-        constexpr std::size_t kInFloat = 256;  // few enough that floats lose little
-        for (std::size_t first = 0; first < triangles_.size(); first += kInFloat) {
-            WeightedMoments::Sums ofCorners, ofArea;
-            const std::size_t last = std::min(first + kInFloat, triangles_.size());
-            for (std::size_t i = first; i < last; ++i) addMoments(triangles_[i], ofCorners, ofArea);
-            ofCorners.weight = 3.0f * static_cast<float>(last - first);
-            corners.add(ofCorners);
-            area.add(ofArea);
+    std::size_t checked(const BinaryNode& node, int depth, std::size_t left) {
+        if (depth < kDeepestSplit && left > 0) return left;
+        noteOrder(node);
+        std::uint32_t* first = order_.data() + node.firstTriangle;
+        left = splitInHalves(mesh_, {first, first + node.triangleCount});
+        for (std::size_t i = 0; i < node.triangleCount; ++i)
+            triangles_.set(node.firstTriangle + i, first[i], mesh_, normalised_);
+        return left;
+    }
+
+    void noteOrder(const BinaryNode& node) {
+        const std::size_t first = node.firstTriangle;
+        for (std::size_t i = first; i < first + node.triangleCount; ++i) order_[i] = triangles_.triangle(i);
+    }
+
+    void divide(std::vector<BinaryNode>& nodes, const Pending& parent, std::size_t left) {
+        left = checked(nodes[parent.node], parent.depth, left);
+        const std::size_t child = addChildren(nodes, parent.node, left);
+        push({child + 1, parent.depth + 1}, nodes);
+        push({child, parent.depth + 1}, nodes);
+    }
+
+    /// Splits as many small nodes as there are lanes for their covariances.
+    void splitSmall(std::vector<BinaryNode>& nodes) {
+        const std::size_t count = std::min(waitingSmall_.size(), kLaneBlock);
+        const std::size_t first = waitingSmall_.size() - count;
+        batch_.assign(waitingSmall_.rbegin(), waitingSmall_.rbegin() + std::ptrdiff_t(count));
+        waitingSmall_.resize(first);
+        for (std::size_t i = 0; i < count; ++i) {
+            frames_.set(i, gatherSmall(nodes[batch_[i].node], small_[i]));
+        }
+        frames_.solve();
+        for (std::size_t i = 0; i < count; ++i)
+            divide(nodes, batch_[i], cutSmall(nodes[batch_[i].node], small_[i], frames_.axes(i)));
+    }
+
+    /// Gathers all corners of a node and returns the covariance of its area.
+    Covariance gatherSmall(const BinaryNode& node, CornerLanes& corners) const {
+        gather(node, 0, node.triangleCount, 1, corners);
+        SpreadSums sums;
+        sums.add(corners);
+        if (!isBlurred(node, sums)) return sums.ofArea();
+        gatherFromMesh(node, corners);
+        SpreadSums exact;
+        exact.add(corners);
+        return exact.ofArea();
+    }
+
+    const float* originOf(const BinaryNode& node) const {
+        return triangles_.corner[0][node.firstTriangle].at;
+    }
+
+    void gather(const BinaryNode& node, std::size_t from, std::size_t count, std::size_t stride,
+                CornerLanes& corners) const {
+        corners.gather(triangles_, node.firstTriangle + from, count, stride, originOf(node));
+    }
+
+    void gatherFromMesh(const BinaryNode& node, CornerLanes& corners) const {
+        const auto corner = [&](std::size_t i, int k) {
+            const TriangleIndices& triangle = mesh_.triangles[triangles_.triangle(node.firstTriangle + i)];
+            return mesh_.vertices[triangle[std::size_t(k)]];
+        };
+        const Vector3 origin = corner(0, 0);
+        corners.gatherExactly(node.triangleCount, [&](std::size_t i, int k) -> Vector3 {
+            return (corner(i, k) - origin) * normalised_.inverseUnit;
+        });
+    }
+
+    bool isBlurred(const BinaryNode& node, const SpreadSums& sums) const {
+        const float* at = originOf(node);
+        const float distanceSquared = at[0] * at[0] + at[1] * at[1] + at[2] * at[2];
+        return !(sums.cornerVariance() > kLeastSpread * kLeastSpread * distanceSquared);
+    }
+
+    std::size_t cutSmall(BinaryNode& node, const CornerLanes& corners, const FrameAxes& ownFrame) {
+        const FrameAxes frames[2] = {ownFrame, node.axes};
+        const FrameChoice best = LeastAreaFrame(corners.points(), frames, 2);
+        node.area = best.area;
+        node.axes = frames[best.frame];
+        const std::size_t count = node.triangleCount;
+        binsOf_.withRoomFor(count);
+        bins_->clear(binsFor(count), boxes_.project(corners, node.axes));
+        bins_->add(boxes_, count, binsOf_.data());
+        return partition(node, bins_->cheapestPlane());
+    }
+
+    /// Small nodes need few bins; clearing and sweeping empty bins would be most of the work.
+    static int binsFor(std::size_t triangles) {
+        return static_cast<int>(std::min<std::size_t>(Bins::kMost, triangles + 4));
+    }
+
+    std::size_t cutLarge(BinaryNode& node) {
+        const std::size_t count = node.triangleCount;
+        SpreadSums sums;
+        const std::size_t stride = OddStride(count, kMostForMoments);
+        for (std::size_t first = 0; first < count; first += kBlock * stride) {
+            gather(node, first, std::min(kBlock, (count - first + stride - 1) / stride), stride, sample_);
+            sums.add(sample_);
+        }
+        frames_.set(0, sums.ofArea());
+        frames_.set(1, sums.ofCorners());
+        frames_.solve();
+        const FrameAxes frames[4] = {frames_.axes(0), kModelAxes, frames_.axes(1), node.axes};
+
+        const std::size_t areaStride = OddStride(count, kMostForArea);
+        gather(node, 0, (count + areaStride - 1) / areaStride, areaStride, sample_);
+        const FrameChoice best = LeastAreaFrame(sample_.points(), frames, 4);
+        node.area = best.area;
+        node.axes = frames[best.frame];
+
+        const std::size_t sampleStride =
+            OddStride(count, std::clamp(count / kSampleShare, kLeastSample, kMostSample));
+        gather(node, 0, (count + sampleStride - 1) / sampleStride, sampleStride, sample_);
+        binsOf_.withRoomFor(count);
+        BinnedPlane cheapest;
+        CentreRange range;
+        int frame = 0;
+        for (int f = 0; f < 3; ++f) {
+            const CentreRange rangeInFrame = boxes_.project(sample_, frames[f]);
+            bins_->clear(binsFor(sample_.count()), rangeInFrame);
+            bins_->add(boxes_, sample_.count(), binsOf_.data());
+            const BinnedPlane plane = bins_->cheapestPlane();
+            if (!(plane.cost < cheapest.cost)) continue;
+            cheapest = plane;
+            range = rangeInFrame;
+            frame = f;
+        }
+        if (cheapest.axis < 0) return 0;
+        binAll(node, frames[frame], range);
+        return partition(node, bins_->cheapestPlane());
+    }
+
+    /// Bins all triangles of a node in the frame that the sample chose.
+    void binAll(const BinaryNode& node, const FrameAxes& frame, const CentreRange& range) {
+        bins_->clear(Bins::kMost, range);
+        for (std::size_t first = 0; first < node.triangleCount; first += kBlock) {
+            const std::size_t count = std::min<std::size_t>(kBlock, node.triangleCount - first);
+            gather(node, first, count, 1, sample_);
+            boxes_.project(sample_, frame);
+            bins_->add(boxes_, count, binsOf_.data() + first);
         }
     }
 
-    static void addMoments(const CornerLanes& triangle, WeightedMoments::Sums& corners,
-                           WeightedMoments::Sums& area) {
-        const auto& [a, b, c] = triangle.corner;
-        const Lanes4 sum = a + b + c;
-        const Lanes4 squares = a.square() + b.square() + c.square();
-        const Lanes4 mixed = a * turned(a) + b * turned(b) + c * turned(c);
-        corners.first += sum;
-        corners.squares += squares;
-        corners.mixed += mixed;
-        // The integral of x x^T over a triangle is area / 12 (aa^T + bb^T + cc^T + s s^T) with s = a + b + c.
-        const Lanes4 u = b - a, v = c - a;
-        const Lanes4 normal = u * turned(v) - turned(u) * v;    // <z, x, y>
-        const float weight = std::sqrt(normal.square().sum());  // the fourth lane is 0
-        area.weight += weight;
-        area.first += (weight / 3) * sum;
-        area.squares += (weight / 12) * (squares + sum.square());
-        area.mixed += (weight / 12) * (mixed + sum * turned(sum));
-    }
-
-    void tryFrame(const Matrix3f& axes) {
-        if (!axes.allFinite()) return;
-        const BinnedPlane plane = bins_.cheapestPlane(
-            triangles_.size(), [this](std::size_t i) { return triangles_[i]; }, axes);
-        if (plane.cost >= cheapest_.cost) return;
-        cheapest_ = plane;
-        axes_ = axes;
-        std::swap(binOf_, bins_.binsAlong(plane.axis));
-    }
-
-    /// Bins all triangles in the frame that the sample chose.
-    void binAll(TriangleRun run) {
-        cheapest_ = bins_.cheapestPlane(
-            run.size(), [&](std::size_t i) { return cornersAt(run.first[i]); }, axes_);
-        if (cheapest_.axis >= 0) std::swap(binOf_, bins_.binsAlong(cheapest_.axis));
-    }
-
-    /// Keeps the order of the triangles on both sides, so that the tree does not depend on the standard
-    /// library.
-    std::size_t partition(TriangleRun run) {
-        std::size_t leftCount = 0;
-        rightSide_.clear();
-        for (std::size_t i = 0; i < run.size(); ++i) {
-            if (binOf_[i] <= cheapest_.lastLeft) {
-                run.first[leftCount++] = run.first[i];
-            } else {
-                rightSide_.push_back(run.first[i]);
+    /// Keeps the order of the triangles on both sides. Returns 0 if all are on one side.
+    std::size_t partition(const BinaryNode& node, const BinnedPlane& plane) {
+        if (plane.axis < 0) return 0;
+        const std::size_t count = node.triangleCount, axis = std::size_t(plane.axis);
+        std::size_t left = 0;
+        const BinsOfTriangle* binsOf = binsOf_.data();
+        Corner* right = right_.withRoomFor(count);
+        for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
+            Corner* run = corners.get() + node.firstTriangle;
+            left = 0;
+            for (std::size_t i = 0; i < count;
+                 ++i) {  // without branches: each corner is copied to both sides
+                const Corner corner = run[i];
+                const std::size_t isLeft = binsOf[i][axis] <= plane.lastLeft;
+                run[left] = corner;
+                right[i - left] = corner;
+                left += isLeft;
             }
+            std::copy(right, right + (count - left), run + left);
         }
-        std::copy(rightSide_.begin(), rightSide_.end(), run.first + leftCount);
-        return leftCount;
+        return left == count ? 0 : left;
     }
 
-    /// Splits in double, because the centres may coincide only as floats.
-    std::size_t splitAtMean(TriangleRun run) const {
-        std::vector<Vector3> corners;
-        gatherCorners(mesh_, run.first, run.size(), corners);
-        const PrincipalFrame frame = principalFrame(corners);
-        return partitionByPlane(mesh_, run, {frame.mean, frame.axes.col(0)});
-    }
+    static constexpr std::size_t kBlock = 1024;
 
     const CleanMesh& mesh_;
-    std::shared_ptr<const std::vector<CornerLanes>> allCorners_;
-    std::vector<CornerLanes> triangles_;
-    Bins bins_;
-    Lanes4 origin_;
-    BinnedPlane cheapest_;
-    Matrix3f axes_;                    ///< the frame of the cheapest plane
-    std::vector<std::uint8_t> binOf_;  ///< by triangle, along the axis of the cheapest plane
-    std::vector<std::uint32_t> rightSide_;
+    const Normalisation& normalised_;
+    TriangleCorners& triangles_;
+    std::vector<std::uint32_t>& order_;
+    const std::size_t largestGroup_;
+
+    std::vector<Pending> waitingLarge_, waitingSmall_, batch_;
+    std::vector<CornerLanes> small_;  ///< of the batch
+    PrincipalFrames frames_;
+    CornerLanes sample_;
+    FrameBoxes boxes_;
+    std::unique_ptr<Bins> bins_;
+    ScratchArray<BinsOfTriangle> binsOf_;  ///< by triangle of the node
+    ScratchArray<Corner> right_;
 };
 
-}  // namespace
+BinaryTree SplitBySah(const CleanMesh& mesh, std::vector<std::uint32_t> triangles, std::size_t largestGroup) {
+    const Normalisation normalised = normalisationOf(mesh.vertices);
+    TriangleCorners corners(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) corners.set(i, triangles[i], mesh, normalised);
+    BinaryTree tree;
+    tree.order = std::move(triangles);
+    buildInTasks(tree, largestGroup,
+                 [&] { return SahSplit(mesh, normalised, corners, tree.order, largestGroup); });
+    return tree;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace clearway
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace clearway {
+
+HWY_EXPORT(SplitBySah);
 
 BinaryTree buildBySah(const CleanMesh& mesh, std::vector<std::uint32_t> triangles, std::size_t largestGroup) {
-    const auto corners = std::make_shared<const std::vector<CornerLanes>>(normalisedCorners(mesh));
-    return buildTopDown(mesh, std::move(triangles), largestGroup, [&] { return SahSplit(mesh, corners); });
+    return HWY_DYNAMIC_DISPATCH(SplitBySah)(mesh, std::move(triangles), largestGroup);
 }
 
 }  // namespace clearway
+
+#endif  // HWY_ONCE
