@@ -3,8 +3,11 @@
 #include "build/rate_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
+#include "build/top_down.h"
+#include "core/parallel.h"
 #include "tree/normalisation.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -18,56 +21,67 @@ HWY_BEFORE_NAMESPACE();
 namespace clearway {
 namespace HWY_NAMESPACE {
 
+/// Rates nodes of one tree, one task after the other.
 class NodeRating {
   public:
-    NodeRating(BinaryTree& tree, const CleanMesh& mesh)
-        : tree_(tree),
-          mesh_(mesh),
-          inverseUnit_(normalisationOf(mesh.vertices).inverseUnit),
-          samples_(kNodes) {}
+    NodeRating(BinaryTree& tree, const CleanMesh& mesh, double inverseUnit)
+        : tree_(tree), mesh_(mesh), inverseUnit_(inverseUnit) {}
 
-    void rateAll() {
-        std::vector<std::size_t> batch;
-        for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-            const BinaryNode& node = tree_.nodes[i];
-            if (node.isLeaf()) continue;
-            if (node.area != kNotRated) {
-                handDown(node);
-                continue;
+    /// Rates one node, whose parent is rated, and hands its frame down.
+    void rateOne(std::size_t node) {
+        batch_.assign(1, node);
+        if (tree_.nodes[node].area == kNotRated) rateBatch();
+        handDown(tree_.nodes[node]);
+    }
+
+    /// Rates a node, whose parent is rated, and all below it.
+    void rateAll(std::size_t root) {
+        std::vector<std::size_t> pending{root};
+        while (!pending.empty()) {
+            // The nodes pending are never above each other, so that all have their parents' frames.
+            batch_.clear();
+            while (!pending.empty() && batch_.size() < kNodes) {
+                const std::size_t node = pending.back();
+                pending.pop_back();
+                if (tree_.nodes[node].area == kNotRated) {
+                    batch_.push_back(node);
+                } else {
+                    handDown(tree_.nodes[node], &pending);
+                }
             }
-            batch.push_back(i);
-            if (batch.size() == kNodes) rate(batch);
+            rateBatch();
+            for (const std::size_t node : batch_) handDown(tree_.nodes[node], &pending);
         }
-        rate(batch);
     }
 
   private:
     static constexpr std::size_t kNodes = kLaneBlock / 2;  ///< each has two covariances
     static constexpr std::size_t kMostInSample = 128;
 
-    void rate(std::vector<std::size_t>& batch) {
-        for (std::size_t i = 0; i < batch.size(); ++i) {
-            sample(tree_.nodes[batch[i]], samples_[i]);
+    void rateBatch() {
+        for (std::size_t i = 0; i < batch_.size(); ++i) {
+            sample(tree_.nodes[batch_[i]], samples_[i]);
             SpreadSums sums;
             sums.add(samples_[i]);
             frames_.set(2 * i, sums.ofArea());
             frames_.set(2 * i + 1, sums.ofCorners());
         }
         frames_.solve();
-        for (std::size_t i = 0; i < batch.size(); ++i) {
-            BinaryNode& node = tree_.nodes[batch[i]];
+        for (std::size_t i = 0; i < batch_.size(); ++i) {
+            BinaryNode& node = tree_.nodes[batch_[i]];
             const FrameAxes frames[4] = {frames_.axes(2 * i), frames_.axes(2 * i + 1), kModelAxes, node.axes};
             const FrameChoice best = LeastAreaFrame(samples_[i].points(), frames, 4);
             node.area = best.area;
             node.axes = frames[best.frame];
-            handDown(node);
         }
-        batch.clear();
     }
 
-    void handDown(const BinaryNode& node) {
-        for (const std::int32_t child : {node.left, node.right}) {
-            if (tree_.nodes[child].area == kNotRated) tree_.nodes[child].axes = node.axes;
+    /// inner: gets the children that are no leaves.
+    void handDown(const BinaryNode& node, std::vector<std::size_t>* inner = nullptr) {
+        for (const std::int32_t index : {node.left, node.right}) {
+            BinaryNode& child = tree_.nodes[std::size_t(index)];
+            if (child.area == kNotRated) child.axes = node.axes;
+            if (inner != nullptr && !child.isLeaf()) inner->push_back(std::size_t(index));
         }
     }
 
@@ -88,12 +102,28 @@ class NodeRating {
     BinaryTree& tree_;
     const CleanMesh& mesh_;
     const double inverseUnit_;
-    std::vector<CornerLanes> samples_;
+    std::vector<std::size_t> batch_;
+    std::array<CornerLanes, kNodes> samples_;
     PrincipalFrames frames_;
 };
 
+void RateSubtree(BinaryTree& tree, const CleanMesh& mesh, double inverseUnit, std::size_t root) {
+    const BinaryNode& node = tree.nodes[root];
+    if (node.isLeaf()) return;
+    {
+        NodeRating rating(tree, mesh, inverseUnit);
+        if (node.triangleCount <= kTaskTriangles) {
+            rating.rateAll(root);
+            return;
+        }
+        rating.rateOne(root);
+    }
+    invokeBoth([&] { RateSubtree(tree, mesh, inverseUnit, std::size_t(node.left)); },
+               [&] { RateSubtree(tree, mesh, inverseUnit, std::size_t(node.right)); });
+}
+
 void RateNodes(BinaryTree& tree, const CleanMesh& mesh) {
-    NodeRating(tree, mesh).rateAll();
+    RateSubtree(tree, mesh, normalisationOf(mesh.vertices).inverseUnit, 0);
 }
 
 }  // namespace HWY_NAMESPACE

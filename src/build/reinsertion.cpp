@@ -7,6 +7,7 @@
 
 #include "build/top_down.h"
 #include "core/hash.h"
+#include "core/parallel.h"
 #include "tree/normalisation.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -161,7 +162,6 @@ class Reinsertion {
             pending.pop_back();
             const BinaryNode& source = tree_.nodes[nodes_[i].source];
             if (source.isLeaf() || source.triangleCount <= kLargestUnmoved) {
-                nodes_[i].slabs = slabsOf(source);
                 nodes_[i].content = mixed(std::uint64_t(i) + 1);
                 continue;
             }
@@ -178,6 +178,13 @@ class Reinsertion {
             pending.push_back(right);
             pending.push_back(left);
         }
+        constexpr std::size_t kNodesAtATime = 1024;
+        forEachInParallel((nodes_.size() + kNodesAtATime - 1) / kNodesAtATime, [&](std::size_t part) {
+            const std::size_t end = std::min(nodes_.size(), (part + 1) * kNodesAtATime);
+            for (std::size_t i = part * kNodesAtATime; i < end; ++i) {
+                if (nodes_[i].left < 0) nodes_[i].slabs = slabsOf(tree_.nodes[nodes_[i].source]);
+            }
+        });
         for (std::size_t i = nodes_.size(); i-- > 0;) {
             Node& node = nodes_[i];
             if (node.left >= 0) node.content = nodes_[node.left].content + nodes_[node.right].content;

@@ -2,8 +2,11 @@
 // well. Large nodes try three frames with a sample of their triangles; small ones, which are most, take the one of two frames in
 // which a volume around them has the least area. That area is kept for the collapse, and the frame for the nodes below.
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <memory>
+#include <mutex>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -230,38 +233,96 @@ class SahSplit {
         return partition(node, bins_->cheapestPlane());
     }
 
+    /// Calls work(first, last) for kShares parts of a large node, in parallel.
+    template <class Work>
+    static void share(std::size_t count, const Work& work) {
+        const std::size_t part = (count + kShares - 1) / kShares;
+        forEachInParallel(kShares, [&](std::size_t i) {
+            work(std::min(count, i * part), std::min(count, (i + 1) * part));
+        });
+    }
+
     /// Bins all triangles of a node in the frame that the sample chose.
     void binAll(const BinaryNode& node, const FrameAxes& frame, const CentreRange& range) {
         bins_->clear(Bins::kMost, range);
-        for (std::size_t first = 0; first < node.triangleCount; first += kBlock) {
-            const std::size_t count = std::min<std::size_t>(kBlock, node.triangleCount - first);
-            gather(node, first, count, 1, sample_);
-            boxes_.project(sample_, frame);
-            bins_->add(boxes_, count, binsOf_.data() + first);
+        if (node.triangleCount <= kLeastToShare) {
+            bin(node, 0, node.triangleCount, frame, sample_, boxes_, *bins_);
+            return;
+        }
+        std::mutex adding;
+        share(node.triangleCount, [&](std::size_t first, std::size_t last) {
+            CornerLanes corners;
+            FrameBoxes boxes;
+            const auto bins = std::make_unique<Bins>();
+            bins->clear(Bins::kMost, range);
+            bin(node, first, last, frame, corners, boxes, *bins);
+            const std::lock_guard<std::mutex> lock(adding);
+            bins_->add(*bins);  // minima and counts: any order gives the same
+        });
+    }
+
+    /// Adds triangles of a node to bins. corners, boxes: scratch.
+    void bin(const BinaryNode& node, std::size_t first, std::size_t last, const FrameAxes& frame,
+             CornerLanes& corners, FrameBoxes& boxes, Bins& bins) {
+        for (; first < last; first += kBlock) {
+            const std::size_t count = std::min(kBlock, last - first);
+            gather(node, first, count, 1, corners);
+            boxes.project(corners, frame);
+            bins.add(boxes, count, binsOf_.data() + first);
         }
     }
 
     /// Keeps the order of the triangles on both sides. Returns 0 if all are on one side.
     std::size_t partition(const BinaryNode& node, const BinnedPlane& plane) {
         if (plane.axis < 0) return 0;
-        const std::size_t count = node.triangleCount, axis = std::size_t(plane.axis);
-        std::size_t left = 0;
+        const std::size_t count = node.triangleCount;
         const BinsOfTriangle* binsOf = binsOf_.data();
+        const auto isLeft = [&](std::size_t i) -> std::size_t {
+            return binsOf[i][std::size_t(plane.axis)] <= plane.lastLeft;
+        };
+        if (count > kLeastToShare) return partitionInParts(node, isLeft);
+        std::size_t left = 0;
         Corner* right = right_.withRoomFor(count);
         for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
             Corner* run = corners.get() + node.firstTriangle;
             left = 0;
-            for (std::size_t i = 0; i < count;
-                 ++i) {  // without branches: each corner is copied to both sides
+            for (std::size_t i = 0; i < count; ++i) {
+                // Without branches: each corner is copied to both sides.
                 const Corner corner = run[i];
-                const std::size_t isLeft = binsOf[i][axis] <= plane.lastLeft;
                 run[left] = corner;
                 right[i - left] = corner;
-                left += isLeft;
+                left += isLeft(i);
             }
             std::copy(right, right + (count - left), run + left);
         }
         return left == count ? 0 : left;
+    }
+
+    /// The parts count their triangles to the left first, so that each knows where its triangles go.
+    template <class IsLeft>
+    std::size_t partitionInParts(const BinaryNode& node, const IsLeft& isLeft) {
+        const std::size_t count = node.triangleCount, size = (count + kShares - 1) / kShares;
+        std::array<std::size_t, kShares + 1> leftBefore{};
+        share(count, [&](std::size_t first, std::size_t last) {
+            std::size_t left = 0;
+            for (std::size_t i = first; i < last; ++i) left += isLeft(i);
+            if (first < last) leftBefore[first / size + 1] = left;
+        });
+        std::partial_sum(leftBefore.begin(), leftBefore.end(), leftBefore.begin());
+        const std::size_t total = leftBefore.back();
+        Corner* sorted = right_.withRoomFor(count);
+        for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
+            Corner* run = corners.get() + node.firstTriangle;
+            share(count, [&](std::size_t first, std::size_t last) {
+                if (first == last) return;
+                std::size_t left = leftBefore[first / size], right = total + first - left;
+                for (std::size_t i = first; i < last; ++i) sorted[isLeft(i) ? left++ : right++] = run[i];
+            });
+            share(count, [&](std::size_t first, std::size_t last) {
+                std::copy(sorted + first, sorted + last, run + first);
+            });
+        }
+        return total == count ? 0 : total;
     }
 
     static constexpr std::size_t kBlock = 1024;
