@@ -69,7 +69,8 @@ py::array_t<Number> rowsOfThree(const Rows& rows) {
 Model buildModel(const Mesh& mesh, const std::string& preset, const std::optional<std::string>& generalSplit,
                  const std::optional<std::string>& leafSplit, const std::optional<int>& leafSize,
                  const std::optional<int>& nodeWidth, const std::optional<std::string>& fit, int threads) {
-    BuildOptions options = buildPreset(preset);
+    requirePreset(preset);
+    BuildOptions options;
     options.generalSplit = generalSplit.value_or(options.generalSplit);
     options.leafSplit = leafSplit.value_or(options.leafSplit);
     options.leafSize = leafSize.value_or(options.leafSize);
@@ -81,6 +82,14 @@ Model buildModel(const Mesh& mesh, const std::string& preset, const std::optiona
 }
 
 }  // namespace
+
+void requirePreset(const std::string& name) {
+    if (name == "best") return;
+    if (name != "fast") throw ArgumentError(fmt::format("preset is '{}', expected best", name));
+    if (PyErr_WarnEx(PyExc_DeprecationWarning,
+                     "preset='fast' means 'best', and will be refused by version 0.4", 1) != 0)
+        throw py::error_already_set();
+}
 
 void bindMeshesAndModels(py::module_& module) {
     py::class_<Mesh>(
@@ -129,8 +138,7 @@ void bindMeshesAndModels(py::module_& module) {
             py::arg("general_split") = py::none(), py::arg("leaf_split") = py::none(),
             py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
             py::arg("fit") = py::none(), py::arg("threads") = 0,
-            R"(Builds the model of a mesh. preset: "best" for the fastest queries, "fast" for a quick build. The names of strategies
-are those of C++'s BuildOptions. threads: 0 for all cores.)")
+            R"(Builds the model of a mesh. preset: "best"; "fast" means the same and is deprecated. The names of strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
         .def_static(
             "load", [](const FileName& file) { return Model::load(file.string()); }, py::arg("file"),
             WithoutGil(), R"(Reads a file written by save. Raises FileError for any other file.)")

@@ -52,7 +52,8 @@ std::unique_ptr<PyScene> makeScene(const Model& part, const std::vector<PyObstac
 std::unique_ptr<PyScene> loadSceneOf(const py::object& given, const std::string& preset, int threads) {
     const Problem problem = problemOf(given);
     requireMeshFiles(problem);
-    BuildOptions options = buildPreset(preset);
+    requirePreset(preset);
+    BuildOptions options;
     options.threads = threads;
     const ReleasedGil released;
     LoadedScene loaded = loadScene(problem, options);

@@ -39,8 +39,7 @@ struct Recorder {
     std::vector<PartState> path = readPath(files.path, problem.space);
     Mesh partMesh = loadPart(problem);
     // The environment's whole tree, because replayed poses may leave the problem's bounds.
-    Model part = Model::build(partMesh, buildPreset("fast")),
-          environment = Model::build(environmentMesh, buildPreset("fast"));
+    Model part = Model::build(partMesh), environment = Model::build(environmentMesh);
     SceneClearance clearance{Scene(part, environment)};
 
     double stated() const { return origin.options.clearance; }

@@ -12,7 +12,7 @@ namespace clearway {
 /// The largest BuildOptions::leafSize, in triangles.
 constexpr int kLargestLeafSize = 16;
 
-/// The options of a build. Their default values are those of the preset "best".
+/// The options of a build. Their default values make the fastest queries.
 struct BuildOptions {
     std::string generalSplit = "sah";  ///< see generalSplitNames()
     std::string leafSplit = "none";    ///< see leafSplitNames()
@@ -24,12 +24,9 @@ struct BuildOptions {
     int threads = 0;
 };
 
-/// The options of a preset: "best" makes the fastest queries, "fast" builds in less time. Throws
-/// ArgumentError that lists the known names.
-BuildOptions buildPreset(const std::string& name);
-
-/// The names of all presets: "best" and, unless clearway was built without Embree, "fast".
-std::vector<std::string> buildPresetNames();
+/// The default options, for "best" and for "fast", which had other ones before building became as fast. Throws ArgumentError for
+/// any other name.
+[[deprecated("BuildOptions() has these values")]] BuildOptions buildPreset(const std::string& name);
 
 /// The names of all general splits, which divide a mesh into groups of triangles: "mean", "axis", "sah" and,
 /// unless clearway was built without Embree, "embree".

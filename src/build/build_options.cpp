@@ -18,26 +18,6 @@ namespace {
 
 constexpr int kMostThreads = 1024;
 
-struct NamedPreset {
-    const char* name;
-    BuildOptions (*options)();
-};
-
-#ifndef CLEARWAY_WITHOUT_EMBREE
-BuildOptions fastBuild() {
-    BuildOptions options;
-    options.generalSplit = "embree";
-    return options;
-}
-#endif
-
-constexpr NamedPreset kPresets[] = {
-    {"best", [] { return BuildOptions(); }},
-#ifndef CLEARWAY_WITHOUT_EMBREE
-    {"fast", fastBuild},
-#endif
-};
-
 template <int... kWidths>
 std::vector<int> widestFirst(std::integer_sequence<int, kWidths...>) {
     std::vector<int> widths{kWidths...};
@@ -46,10 +26,6 @@ std::vector<int> widestFirst(std::integer_sequence<int, kWidths...>) {
 }
 
 }  // namespace
-
-std::vector<std::string> buildPresetNames() {
-    return namesOf(kPresets);
-}
 
 std::vector<std::string> generalSplitNames() {
     return namesOf(kGeneralSplits);
@@ -80,7 +56,9 @@ const NamedFit& fitNamed(const std::string& name) {
 }
 
 BuildOptions buildPreset(const std::string& name) {
-    return rowNamed(kPresets, "preset", name).options();
+    if (name != "best" && name != "fast")
+        throw ArgumentError(fmt::format("preset is '{}', expected one of best, fast", name));
+    return {};
 }
 
 void requireBuildOptions(const BuildOptions& options) {

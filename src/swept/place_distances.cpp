@@ -26,7 +26,7 @@ Model modelOf(const SurfaceTriangle& triangle) {
     Mesh mesh;
     for (const Vector3& corner : triangle) mesh.vertices.push_back(corner - triangle[0]);
     mesh.triangles = {{0, 1, 2}};
-    return Model::build(mesh, buildPreset("fast"));
+    return Model::build(mesh);
 }
 
 /// One vertex of each connected piece of the mesh, as triangles without area.

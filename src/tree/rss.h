@@ -2,8 +2,6 @@
 // Source: Larsen, Gottschalk, Lin, Manocha, Fast Proximity Queries with Swept Sphere Volumes, TR99-018, 1999.
 #pragma once
 
-#include <vector>
-
 #include "clearway/types.h"
 
 namespace clearway {
@@ -16,10 +14,8 @@ struct Rss {
     double halfLength1 = 0;
     double radius = 0;
 
-    // Measures of the swept volume, where l and w are the rectangle's full sides.
-    double area() const;           ///< 4 pi r^2 + 2 l w + 2 pi r (l + w)
-    double volume() const;         ///< 4/3 pi r^3 + 2 r l w + pi r^2 (l + w)
-    double longestExtent() const;  ///< sqrt(l^2 + w^2) + 2 r
+    /// Of the swept surface, with the rectangle's full sides l and w: 4 pi r^2 + 2 l w + 2 pi r (l + w).
+    double area() const;
 };
 
 /// A rectangle swept sphere as the kernels read it: floats relative to a tree's origin, in a tree's unit. The
@@ -45,10 +41,5 @@ float storedAxisEntry(double entry);
 /// distances from the origin, computed in double without fused operations: rounded up, with room for the rounding of both. Tree
 /// units.
 float storedRadius(const FloatRss& rectangle, double distanceSquared, double normSquared);
-
-/// Rounds the rectangle to floats ((x - origin) / unit). The radius is the largest distance of a point from
-/// the stored rectangle, computed in double and rounded up, so every point is inside the stored volume. unit:
-/// a power of two.
-FloatRss roundOutward(const Rss& rss, const std::vector<Vector3>& points, const Vector3& origin, double unit);
 
 }  // namespace clearway

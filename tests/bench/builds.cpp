@@ -1,7 +1,5 @@
 #include "bench/builds.h"
 
-#include <tuple>
-
 #include "clearway/model.h"
 #include "core/clock.h"
 
@@ -10,11 +8,6 @@ namespace {
 
 std::size_t trianglesOf(const BenchTask& task) {
     return task.part.triangles.size() + task.environment.triangles.size();
-}
-
-bool makeTheSameTree(const BuildOptions& a, const BuildOptions& b) {
-    return std::tie(a.generalSplit, a.leafSplit, a.leafSize, a.nodeWidth, a.fit) ==
-           std::tie(b.generalSplit, b.leafSplit, b.leafSize, b.nodeWidth, b.fit);
 }
 
 void buildOnce(BuildRow& row, const BenchTask& task, const BuildOptions& options, double fclSeconds) {
@@ -30,38 +23,17 @@ void buildOnce(BuildRow& row, const BenchTask& task, const BuildOptions& options
 
 }  // namespace
 
-std::vector<BuildChoice> buildChoices(const BuildOptions& chosen) {
-    std::vector<BuildChoice> choices;
-    bool isPreset = false;
-    for (const std::string& name : buildPresetNames()) {
-        choices.push_back({name, buildPreset(name)});
-        isPreset = isPreset || makeTheSameTree(choices.back().options, chosen);
-    }
-    if (!isPreset) choices.push_back({"chosen", chosen});
-    return choices;
-}
-
-std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
+std::vector<BuildRow> measureBuilds(const BenchTask& task, BuildOptions options,
                                     const BuildSchedule& schedule) {
-    std::vector<BuildRow> rows;
-    for (const BuildChoice& choice : choices) {
-        for (const char* threads : {"1 thread", "2 threads"}) {
-            BuildRow row;
-            row.name = "clearway " + choice.name + ", " + threads;
-            rows.push_back(row);
-        }
-    }
+    std::vector<BuildRow> rows(2);
+    rows[0].name = "clearway, 1 thread";
+    rows[1].name = "clearway, 2 threads";
     const auto start = Clock::now();
     for (int round = 0; round < schedule.rounds; ++round) {
         if (round > 0 && secondsSince(start) * (round + 1) / round > schedule.seconds) break;
         const double fclSeconds = makeFclRss(task.part, task.environment).buildSeconds;
-        auto row = rows.begin();
-        for (BuildChoice choice : choices) {
-            for (const int threads : {1, 2}) {
-                choice.options.threads = threads;
-                buildOnce(*row++, task, choice.options, fclSeconds);
-            }
-        }
+        for (options.threads = 1; options.threads <= 2; ++options.threads)
+            buildOnce(rows[std::size_t(options.threads - 1)], task, options, fclSeconds);
     }
     return rows;
 }

@@ -11,7 +11,7 @@
 namespace clearway::testing {
 
 struct BuildRow {
-    std::string name;             ///< "clearway best, 2 threads", or the name of a peer
+    std::string name;             ///< "clearway, 2 threads", or the name of a peer
     std::vector<double> seconds;  ///< one per round
     std::vector<double> ratios;   ///< to FCL RSS in that round; above 1: slower than FCL
     double bytesPerTriangle = 0;  ///< of all memory that both models keep; 0: unknown
@@ -22,17 +22,8 @@ struct BuildSchedule {
     double seconds = 60;  ///< a round starts only if it would end within this time, except the first round
 };
 
-/// Build options with a name.
-struct BuildChoice {
-    std::string name;
-    BuildOptions options;
-};
-
-/// Every preset, and "chosen" if the options equal none of them; thread counts are not compared.
-std::vector<BuildChoice> buildChoices(const BuildOptions& chosen);
-
-/// A round builds both models of the task with FCL and with each choice on one thread and on two.
-std::vector<BuildRow> measureBuilds(const BenchTask& task, const std::vector<BuildChoice>& choices,
+/// A round builds both models of the task with FCL, and with the options on one thread and on two.
+std::vector<BuildRow> measureBuilds(const BenchTask& task, BuildOptions options,
                                     const BuildSchedule& schedule);
 
 /// One build of each peer, without ratios.

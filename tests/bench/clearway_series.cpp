@@ -15,7 +15,6 @@ constexpr double kWithin[] = {1e-3, 1e-2};  // shares of the part's size
 constexpr const char* kDistance = "distance";
 constexpr const char* kShuffled = "distance, shuffled";
 constexpr const char* kCollides = "collides";
-constexpr const char* kFastTrees = "clearway, fast trees";
 
 std::string withinName(double share) {
     return "within " + shortNumber(100 * share) + " %";
@@ -134,14 +133,12 @@ void addOfPeer(std::vector<Series>& all, const Peer& peer, double partSize) {
     }
 }
 
-void addOurs(std::vector<Series>& all, const TreePair& trees, const TreePair& fastTrees, double partSize,
-             const SeriesOptions& options) {
+void addOurs(std::vector<Series>& all, const TreePair& trees, double partSize, const SeriesOptions& options) {
     all.push_back(distanceSeries(kDistance, "clearway", trees));
     all.push_back(distanceSeries(kDistance, "clearway, cold", trees));
     for (const std::string& target : options.targets) {
         all.push_back(distanceSeries(kDistance, "clearway, " + target, trees, target));
     }
-    all.push_back(distanceSeries(kDistance, kFastTrees, fastTrees));
     all.push_back(distanceSeries(kShuffled, "clearway", trees));
     all.push_back(collidesSeries(trees));
     for (const double share : kWithin) {
@@ -153,12 +150,10 @@ void addOurs(std::vector<Series>& all, const TreePair& trees, const TreePair& fa
 
 bool areCompared(const Series& a, const Series& b) {
     if (!a.isClearway) return false;
-    if (b.isClearway) {  // a batch beside one thread, the default trees beside the fast ones
-        if (a.askAll) return a.asked == b.asked && b.engine == "clearway";
-        return a.engine == "clearway" && a.asked == b.asked && b.engine == kFastTrees;
-    }
+    if (b.isClearway)
+        return a.askAll && a.asked == b.asked && b.engine == "clearway";  // a batch beside one thread
     if (a.question == Question::kIsWithin && b.asked == kDistance) return b.engine == "FCL RSS" && !a.askAll;
-    return a.asked == b.asked && !a.askAll && a.engine != kFastTrees;
+    return a.asked == b.asked && !a.askAll;
 }
 
 }  // namespace
@@ -167,10 +162,10 @@ TreePair buildTrees(const BenchTask& task, const BuildOptions& options) {
     return {Model::build(task.part, options), Model::build(task.environment, options)};
 }
 
-std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
-                              const std::vector<Peer>& peers, const SeriesOptions& options) {
+std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const std::vector<Peer>& peers,
+                              const SeriesOptions& options) {
     std::vector<Series> all;
-    addOurs(all, trees, fastTrees, task.partSize(), options);
+    addOurs(all, trees, task.partSize(), options);
     for (const Peer& peer : peers) addOfPeer(all, peer, task.partSize());
     const std::size_t count = task.poses.size();
     for (Series& series : all) {

@@ -24,11 +24,11 @@ struct SeriesOptions {
     std::uint64_t seed = 1;            ///< seed of the shuffled order
 };
 
-/// Distances in path order (warm, cold, per instruction set, with the fast trees), shuffled and in batches;
+/// Distances in path order (warm, cold, per instruction set), shuffled and in batches;
 /// collisions; isWithin at 0.1 % and 1 % of the part's size. Each question also goes to the peers that have
 /// such a query.
-std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const TreePair& fastTrees,
-                              const std::vector<Peer>& peers, const SeriesOptions& options);
+std::vector<Series> allSeries(const BenchTask& task, const TreePair& trees, const std::vector<Peer>& peers,
+                              const SeriesOptions& options);
 
 /// Distance, collides and isWithin at 1 % of the part's size, warm and in path order, as `engine`.
 std::vector<Series> seriesOfTrees(const BenchTask& task, const TreePair& trees, const std::string& engine);
@@ -44,7 +44,7 @@ struct Comparison {
 };
 
 /// Pairs each series of clearway with each peer's series for the same question. Also pairs isWithin with
-/// FCL's distance, and within clearway batches with plain queries and the default trees with the fast trees.
+/// FCL's distance, and within clearway batches with plain queries.
 std::vector<Comparison> comparisons(const std::vector<Series>& all);
 
 }  // namespace clearway::testing

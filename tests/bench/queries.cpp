@@ -43,15 +43,14 @@ void writeTables(const BenchChoices& choices, const BenchReport& report, Tables&
 /// Returns the number of clearway's wrong answers.
 std::size_t measure(const BenchTask& task, const BenchChoices& choices, bool withBuilds, Tables& tables) {
     std::vector<BuildRow> builds;
-    if (withBuilds) builds = measureBuilds(task, buildChoices(choices.trees), choices.builds);
+    if (withBuilds) builds = measureBuilds(task, choices.trees, choices.builds);
     std::vector<Peer> peers;
     if (!choices.withoutPeers) peers = makePeers(task.part, task.environment);
     if (withBuilds) {
         for (const BuildRow& row : buildsOf(peers, task)) builds.push_back(row);
     }
     std::vector<Series> all =
-        allSeries(task, buildTrees(task, choices.trees), buildTrees(task, buildPreset("fast")), peers,
-                  {choices.targets, choices.seed});
+        allSeries(task, buildTrees(task, choices.trees), peers, {choices.targets, choices.seed});
     runAll(all, task.poses, choices.schedule);
     useTarget("best");
     const Judgement judgement =

@@ -41,7 +41,6 @@ std::vector<Strategy> strategies() {
         options.leafSplit = split;
         if (split != usual.leafSplit) all.push_back(named(options));
     }
-    all.push_back({"preset fast", buildPreset("fast")});
     return all;
 }
 

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "build/build.h"
+#include "build/check_tree.h"
 #include "build/fit_rss.h"
 #include "build/sample_meshes.h"
 
@@ -28,7 +29,7 @@ struct FittedLane {
     bool isLeaf;
 };
 
-Rss volumeAt(const WideNode<8>& node, int lane) {
+Rss rssOf(const WideNode<8>& node, int lane) {
     Rss volume;
     for (int k = 0; k < 3; ++k) {
         volume.centre[k] = node.centre[k][lane];
@@ -49,7 +50,7 @@ std::vector<Vector3> collect(const FlatTree& tree, std::int32_t index, const Mat
     std::vector<Vector3> all;
     for (int lane = 0; lane < 8 && node.child[lane] != kNoChild; ++lane) {
         const std::int32_t child = node.child[lane];
-        FittedLane fitted{volumeAt(node, lane), {}, axesAbove, child < 0};
+        FittedLane fitted{rssOf(node, lane), {}, axesAbove, child < 0};
         if (child >= 0) {
             fitted.points = collect(tree, child, fitted.volume.axes, lanes);
         } else {
@@ -118,6 +119,77 @@ BOOST_AUTO_TEST_CASE(the_covariance_fit_is_that_of_all_corners) {
         const Vector3 normal = principalFrame(corners).axes.col(2);
         BOOST_TEST(std::abs(normal.dot(root.volume.axes.col(2))) > 0.999);
     }
+}
+
+/// Triangles over random points that spread so far along three random axes.
+CleanMesh cloud(Random& random, const Vector3& spread, double scale, const Vector3& shift) {
+    const Matrix3 axes = random.rotation();
+    std::vector<Corners> triangles;
+    for (int i = 0; i < 12; ++i) {
+        Corners corners;
+        for (Vector3& corner : corners)
+            corner = scale * (axes * random.inBox(0.3).cwiseProduct(spread) + shift);
+        triangles.push_back(corners);
+    }
+    return cleanMeshOf(triangles);
+}
+
+BOOST_AUTO_TEST_CASE(every_point_is_inside_its_volumes_and_they_are_hardly_larger) {
+    constexpr std::uint64_t kSeed = 17;
+    BOOST_TEST_CONTEXT("seed " << kSeed) {
+        Random random(kSeed);
+        for (int round = 0; round < 400; ++round) {
+            const double thin = std::pow(10.0, random.uniform(-18, 0));
+            const CleanMesh mesh = cloud(random, {1, round % 2 ? 1 : thin, thin}, 1, random.inBox(0.5));
+            checkTree(buildTree(mesh, {}), mesh);
+            for (const FittedLane& lane : fittedLanes(mesh, "frames")) {
+                Box extent;
+                for (const Vector3& point : lane.points) extent.extend(lane.volume.axes.transpose() * point);
+                BOOST_REQUIRE(lane.volume.radius < 0.5 * extent.sizes().z() + 3e-7);
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(any_scale_and_place_keep_the_points_inside_and_the_floats_normal) {
+    constexpr std::uint64_t kSeed = 19;
+    BOOST_TEST_CONTEXT("seed " << kSeed) {
+        Random random(kSeed);
+        const auto isFine = [](float value) { return value == 0 || std::isnormal(value); };
+        for (int round = 0; round < 40; ++round) {
+            for (const double scale : {1.0, 0x1p200, 0x1p-200, 0x1p900, 0x1p-900, 1e-60}) {
+                for (const Vector3& shift :
+                     {Vector3(0, 0, 0), Vector3(1e9, -3e9, 7e8), Vector3(1e3, 1e-3, 1)}) {
+                    const CleanMesh mesh = cloud(random, {1, 0.1, round % 2 ? 1e-9 : 0.2}, scale, shift);
+                    const FlatTree tree = buildTree(mesh, {});
+                    checkTree(tree, mesh);
+                    for (const WideNode<8>& node : tree.nodes<8>()) {
+                        for (int lane = 0; lane < 8 && node.child[lane] != kNoChild; ++lane) {
+                            const FloatRss volume = volumeOf(node, lane);
+                            for (int k = 0; k < 3; ++k)
+                                BOOST_REQUIRE((isFine(volume.centre[k]) && isFine(volume.axis0[k]) &&
+                                               isFine(volume.axis1[k])));
+                            BOOST_REQUIRE((isFine(volume.halfLength0) && isFine(volume.halfLength1) &&
+                                           isFine(volume.radius)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(one_point_has_a_volume_of_radius_zero) {
+    const Vector3 point(3, 4, 5);
+    const CleanMesh mesh = cleanMeshOf({{point, point, point}});
+    const FloatRss stored = volumeOf(buildTree(mesh, {}).nodes<8>()[0], 0);
+    BOOST_TEST((stored.centre[0] == 0 && stored.centre[1] == 0 && stored.centre[2] == 0));
+    BOOST_TEST((stored.halfLength0 == 0 && stored.halfLength1 == 0 && stored.radius == 0));
+}
+
+BOOST_AUTO_TEST_CASE(a_square_is_fitted_flat_to_rounding_in_double) {
+    const Vector3 a(0, 0, 0.25), b(0.5, 0, 0.25), c(0.5, 0.5, 0.25), d(0, 0.5, 0.25);
+    BOOST_TEST(fittedLanes(cleanMeshOf({{a, b, c}, {a, c, d}}), "frames").back().volume.radius < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(one_triangle_is_fitted_flat) {

@@ -115,6 +115,13 @@ inline std::vector<SampleMesh> degenerateMeshes() {
     meshes.push_back({"huge", cleanMeshOf(transformed(soup(60, 1), 0x1p200, o))});
     meshes.push_back({"tiny", cleanMeshOf(transformed(soup(60, 2), 0x1p-200, o))});
     meshes.push_back({"far away", cleanMeshOf(transformed(soup(60, 3), 1, {1e9, -1e9, 3e8}))});
+    std::vector<Corners> clusters;  // far smaller than floats about the mesh's middle can show
+    for (std::uint64_t i = 0; i < 12; ++i) {
+        const Vector3 place = Random(i + 40).inBox(1);
+        for (const Corners& triangle : transformed(soup(20, i + 4), 1e-9, place))
+            clusters.push_back(triangle);
+    }
+    meshes.push_back({"tiny clusters", cleanMeshOf(clusters)});
     return meshes;
 }
 

@@ -59,6 +59,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_argument_is_an_argument_error) {
     skewed.rotation(0, 0) = 2;
     BuildOptions noLeaves;
     noLeaves.leafSize = 0;
+    BuildOptions noFit;
+    noFit.fit = "tight";
     LoadOptions noScale;
     noScale.scale = std::numeric_limits<double>::quiet_NaN();
     SweptVolumeOptions within;
@@ -73,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_argument_is_an_argument_error) {
         {"a motion without pieces", [&] { sweep(model, model, MotionPieces(), {}, workspace); }},
         {"a mesh without triangles", [] { Model::build(Mesh()); }},
         {"leaves of no triangles", [&] { Model::build(mesh, noLeaves); }},
-        {"an unknown preset", [] { buildPreset("quickest"); }},
+        {"an unknown fit", [&] { Model::build(mesh, noFit); }},
         {"an unknown instruction set", [] { useTarget("avx9"); }},
         {"a scale that is no number", [&] { loadMesh(stl, noScale); }},
         {"an ending of no format", [&] { saveMesh(mesh, folder().file("soup.doc")); }},

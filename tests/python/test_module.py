@@ -110,6 +110,13 @@ def test_what_is_no_mesh_is_refused(tmp_path):
         clearway.use_target("avx9")
 
 
+def test_the_preset_fast_is_deprecated():
+    with pytest.warns(DeprecationWarning, match="means 'best'"):
+        assert clearway.Model(triangle(0), preset="fast").triangle_count == 1
+    with pytest.raises(ValueError, match="preset is 'slow', expected best"):
+        clearway.Model(triangle(0), preset="slow")
+
+
 def test_meshes_and_models_come_back_from_files(tmp_path, models):
     cube(0.5).save(str(tmp_path / "cube.glb"))
     mesh = clearway.Mesh.load(str(tmp_path / "cube.glb"), scale=2)

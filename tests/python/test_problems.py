@@ -98,7 +98,7 @@ def test_a_scene_of_a_problem_answers_with_its_margins(tmp_path):
     problem = clearway.Problem(place(-4), place(4), margin=0.25, robot=tmp_path / "part.obj", worlds=[tmp_path / "world.obj"])
     problem.save(tmp_path / "cubes.cfg")
     direct = scene_of_cubes()
-    for scene in (clearway.Scene.load(problem), clearway.Scene.load(tmp_path / "cubes.cfg", preset="fast", threads=1)):
+    for scene in (clearway.Scene.load(problem), clearway.Scene.load(tmp_path / "cubes.cfg", threads=1)):
         assert scene.part.triangle_count == 12 and scene.obstacles[0].margin == 0.25 and not scene.obstacles[0].is_solid
         for x in (1.7, 1.8, 2.5):
             assert scene.is_free(place(x)) == direct.is_free(place(x))

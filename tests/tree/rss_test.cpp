@@ -20,40 +20,28 @@ Rss sample() {
     return rss;
 }
 
-BOOST_AUTO_TEST_CASE(measures_match_values_worked_out_by_hand) {
-    const double pi = std::acos(-1.0);
-    BOOST_TEST(sample().area() == 24 + 8 * pi, boost::test_tools::tolerance(1e-14));
-    BOOST_TEST(sample().volume() == 12 + pi / 6 + 1.75 * pi, boost::test_tools::tolerance(1e-14));
-    BOOST_TEST(sample().longestExtent() == 6,
-               boost::test_tools::tolerance(1e-14));  // 3-4-5 triangle + 2 * 0.5
+BOOST_AUTO_TEST_CASE(the_area_matches_a_value_worked_out_by_hand) {
+    BOOST_TEST(sample().area() == 24 + 8 * std::acos(-1.0), boost::test_tools::tolerance(1e-14));
 }
 
-BOOST_AUTO_TEST_CASE(volume_matches_the_share_of_random_points_inside) {
+BOOST_AUTO_TEST_CASE(the_area_matches_the_share_of_random_points_near_the_surface) {
     constexpr int kPoints = 400000;
+    constexpr double kNear = 0.05;  // small enough for the surface's curvature not to matter
     constexpr std::uint64_t kSeed = 5;
     BOOST_TEST_CONTEXT("seed " << kSeed) {
         Random random(kSeed);
         const Rss rss = sample();
-        int inside = 0;
+        int near = 0;
         for (int i = 0; i < kPoints; ++i) {
-            const Vector3 point(random.uniform(-2.5, 2.5), random.uniform(-2, 2), random.uniform(-0.5, 0.5));
-            if (distanceFromRectangle(rss, point) <= rss.radius) ++inside;
+            const Vector3 point(random.uniform(-2.6, 2.6), random.uniform(-2.1, 2.1),
+                                random.uniform(-0.6, 0.6));
+            if (std::abs(distanceFromRectangle(rss, point) - rss.radius) <= kNear) ++near;
         }
-        const double boxVolume = 5.0 * 4.0 * 1.0;
-        const double share = rss.volume() / boxVolume;
+        const double boxVolume = 5.2 * 4.2 * 1.2;
+        const double share = 2 * kNear * rss.area() / boxVolume;
         const double deviation = std::sqrt(share * (1 - share) / kPoints);
-        BOOST_TEST(std::abs(inside / double(kPoints) - share) < 5 * deviation);
+        BOOST_TEST(std::abs(near / double(kPoints) - share) < 5 * deviation);
     }
-}
-
-BOOST_AUTO_TEST_CASE(volume_grows_with_the_radius_by_the_area) {
-    const double step = 1e-5;
-    Rss smaller = sample();
-    Rss larger = sample();
-    smaller.radius -= step;
-    larger.radius += step;
-    const double growth = (larger.volume() - smaller.volume()) / (2 * step);
-    BOOST_TEST(growth == sample().area(), boost::test_tools::tolerance(1e-8));
 }
 
 }  // namespace

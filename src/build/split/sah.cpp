@@ -41,7 +41,7 @@ inline std::size_t OddStride(std::size_t count, std::size_t wanted) {
 }
 
 /// Above this many triangles, the triangles of one node are shared out among threads, in this many parts.
-constexpr std::size_t kLeastToShare = 65536, kShares = 16;
+constexpr std::size_t kLeastToShare = 32768, kShares = 16;
 
 /// Float corners blur nodes whose spread is below this share of their distance from the origin: their corners are taken from the
 /// mesh, relative to one of them.

@@ -28,7 +28,7 @@ constexpr std::size_t kMostPoses = 200;
 struct RenderArguments {
     ProblemChoice problem;
     std::string path, out;
-    TreeChoice trees{buildPreset("fast"), ""};  // slow builds do not pay for a few hundred queries
+    TreeChoice trees;
     render::RenderOptions drawing;
     std::size_t poseCount = kUsualPoses;
     std::vector<double> shares;  ///< the values of --at

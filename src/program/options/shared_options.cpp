@@ -112,9 +112,12 @@ void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
         commandLine.option(declaration, std::string(about) + ": " + joined(names) + " (" + usual + ")",
                            [names, store](const std::string& value) { store(oneOf(value, names)); });
     };
-    // The preset is declared first and so read first. The other options then change it.
-    choice("--preset NAME", "tree options to start from", buildPresetNames(), "best",
-           [&](const std::string& name) { options = buildPreset(name); });
+    commandLine.option(
+        "--preset NAME", "best; fast, which now means the same, is refused from version 0.4 on",
+        [](const std::string& value) {
+            if (oneOf(value, {"best", "fast"}) == "fast")
+                printWarnings({"--preset fast: means best, and will be refused by version 0.4"});
+        });
     choice("--general-split NAME", "how nodes are split", generalSplitNames(), defaults.generalSplit,
            to(options.generalSplit));
     choice("--leaf-split NAME", "how leaves are split", leafSplitNames(), defaults.leafSplit,

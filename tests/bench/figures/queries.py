@@ -147,7 +147,7 @@ def losses(results):
     for row in lost:
         lines.append([row["scene"], f"{row['question']}, {row['engine']}", f"{row['over_question']}, {row['over_engine']}", shown(row["ratio"])])
     builds_of = results.rows("builds") if results.has("builds") else []
-    ours = "clearway best, 1 thread"
+    ours = "clearway, 1 thread"
     seconds = {(row["scene"], row["build"]): float(row["seconds"]) for row in builds_of}
     for peer in distinct(builds_of, "build"):
         quotients = {letter: seconds[letter, peer] / seconds[letter, ours] for letter in scenes_of(builds_of) if (letter, peer) in seconds}

@@ -37,8 +37,6 @@ def strategies_table(rows):
 
 def options_of(name):
     """The strategy as options of the program."""
-    if name.startswith("preset "):
-        return f"--preset {name.split()[1]}"
     general, leaf = name.split("/")
     return f"--general-split {general} --leaf-split {leaf}"
 

@@ -30,7 +30,7 @@ inline Mesh only(const Mesh& mesh, const Component& component) {
 inline std::vector<std::string> touchingComponents(const Mesh& mesh) {
     std::vector<Model> models;
     for (const Component& component : mesh.components) {
-        models.push_back(Model::build(only(mesh, component), buildPreset("fast")));
+        models.push_back(Model::build(only(mesh, component)));
     }
     Workspace workspace;
     std::vector<std::string> touching;

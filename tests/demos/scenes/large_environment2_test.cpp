@@ -35,8 +35,7 @@ const Component& named(const Mesh& mesh, const std::string& name) {
 /// The mean number of volume tests of exact distances at poses evenly along the path. Each search begins with
 /// the pair that the previous one found.
 double meanVolumeTests(const GeneratedScene& scene) {
-    const Model part = Model::build(scene.part, buildPreset("fast")),
-                environment = Model::build(scene.environment, buildPreset("fast"));
+    const Model part = Model::build(scene.part), environment = Model::build(scene.environment);
     Workspace workspace;
     constexpr int kPoses = 60;
     double tests = 0;
@@ -59,7 +58,7 @@ BOOST_AUTO_TEST_CASE(the_part_has_the_size_that_clearances_are_stated_for) {
 BOOST_AUTO_TEST_CASE(both_sheets_of_the_tray_are_as_near_to_those_that_face_them) {
     const GeneratedScene& scene = smallScene();
     const auto model = [](const Mesh& mesh, const std::string& name) {
-        return Model::build(only(mesh, named(mesh, name)), buildPreset("fast"));
+        return Model::build(only(mesh, named(mesh, name)));
     };
     Workspace workspace;
     const Pose start = poseOf(scene.path.front());
@@ -92,7 +91,7 @@ BOOST_AUTO_TEST_CASE(sheets_follow_each_other_a_few_millimetres_apart) {
     const GeneratedScene scene = makeLargeEnvironment2({1, 20000, 600000, 4});
     std::map<std::string, Model> sheets;
     for (const Component& component : scene.environment.components) {
-        sheets.emplace(component.name, Model::build(only(scene.environment, component), buildPreset("fast")));
+        sheets.emplace(component.name, Model::build(only(scene.environment, component)));
     }
     Workspace workspace;
     for (const auto& [one, other] : {std::pair("floor_pan", "damping_mat_2_right"),

@@ -31,8 +31,8 @@ struct BuiltScene {
     explicit BuiltScene(GeneratedScene made) : scene(std::move(made)) {}
 
     GeneratedScene scene;
-    Model part = Model::build(scene.part, buildPreset("fast"));
-    Model environment = Model::build(scene.environment, buildPreset("fast"));
+    Model part = Model::build(scene.part);
+    Model environment = Model::build(scene.environment);
 
     bool isFree(const PartState& state, Workspace& workspace) const {
         return !collides(part, environment, poseOf(state), workspace);

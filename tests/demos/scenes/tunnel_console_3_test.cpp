@@ -30,8 +30,8 @@ SceneOptions atClearance(double clearance) {
 struct FullSize {
     explicit FullSize(double clearance)
         : scene(makeTunnelConsole3(atClearance(clearance))),
-          part(Model::build(scene.part, buildPreset("fast"))),
-          environment(Model::build(scene.environment, buildPreset("fast"))) {}
+          part(Model::build(scene.part)),
+          environment(Model::build(scene.environment)) {}
 
     GeneratedScene scene;
     Model part, environment;
