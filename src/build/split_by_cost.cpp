@@ -54,7 +54,8 @@ class CostSplit {
     }
 
   private:
-    /// What a leaf's cost counts beside the areas of wide nodes. More divides more: 0.67 takes 5 % more memory.
+    /// What a leaf's cost counts beside the areas of wide nodes. More divides more: 0.67 saves 1 % of the triangle tests in tunnels and
+    /// takes 3 % more memory there.
     static constexpr float kCostOfLeaves = 0.5f;
 
     static void shiftChildren(BinaryNode& node, std::int32_t shift) {
