@@ -26,7 +26,10 @@ class Collapse {
     /// The descendants of an inner node that become its lanes, from left to right. Returns their number, at least two.
     int lanesOf(std::int32_t node, Lanes& lanes) const;
 
-    /// The sum over all wide nodes of their area, as a share of the root's, plus 1 / triangles for each.
+    /// Whether the node becomes a leaf: because it is one, or because that costs less than its children.
+    bool isLeaf(std::int32_t node) const { return choices_[node].leftLanes[0] == 0; }
+
+    /// The sum over all wide nodes of their area, as a share of the root's, plus 1 / triangles for each; and over all leaves of their costs.
     double cost() const { return choices_.front().cost[0]; }
 
   private:

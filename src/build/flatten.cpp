@@ -83,7 +83,7 @@ WideTree numberNodes(const BinaryTree& binary, int nodeWidth) {
         const int lane = wide.nodes[node].count++;
         wide.nodes[node].binaryNode[std::size_t(lane)] = binaryNode;
         std::int32_t& child = wide.nodes[node].child[std::size_t(lane)];
-        if (binary.nodes[std::size_t(binaryNode)].isLeaf()) {
+        if (collapse.isLeaf(binaryNode)) {
             child = -1;
             wide.leaves.push_back({binaryNode, node, lane});
             return;

@@ -96,15 +96,53 @@ CleanMesh meshOfGroup(const CleanMesh& mesh, const std::vector<std::uint32_t>& g
     return own;
 }
 
-}  // namespace
-
-BinaryTree keepTogether(const CleanMesh&, std::vector<std::uint32_t> group, GeneralSplit) {
-    BinaryTree tree;
-    tree.nodes.emplace_back();
-    tree.nodes.front().triangleCount = static_cast<std::uint32_t>(group.size());
-    tree.order = std::move(group);
+/// Lets the general split go on below a group, down to smaller ones.
+BinaryTree goOn(const CleanMesh& mesh, const std::vector<std::uint32_t>& group, GeneralSplit general,
+                std::size_t largestGroup) {
+    const CleanMesh own = meshOfGroup(mesh, group);
+    std::vector<std::uint32_t> all(group.size());
+    std::iota(all.begin(), all.end(), 0u);
+    BinaryTree tree = general(own, std::move(all), largestGroup);
+    for (std::uint32_t& triangle : tree.order) triangle = group[triangle];
     return tree;
 }
+
+/// Replaces a leaf by a small tree over its triangles.
+void graft(BinaryTree& tree, std::size_t leaf, const BinaryTree& branch) {
+    const FrameAxes axes = tree.nodes[leaf].axes;
+    const std::uint32_t firstTriangle = tree.nodes[leaf].firstTriangle;
+    std::copy(branch.order.begin(), branch.order.end(), tree.order.begin() + firstTriangle);
+    // The branch's root takes the leaf's place; its other nodes go to the end.
+    const std::int32_t shift = static_cast<std::int32_t>(tree.nodes.size()) - 1;
+    for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
+        BinaryNode node = branch.nodes[i];
+        node.firstTriangle += firstTriangle;
+        node.axes = axes;
+        node.area = kNotRated;  // its area is in the branch's unit
+        if (!node.isLeaf()) {
+            node.left += shift;
+            node.right += shift;
+        }
+        if (i == 0) {
+            tree.nodes[leaf] = node;
+        } else {
+            tree.nodes.push_back(node);
+        }
+    }
+}
+
+}  // namespace
+
+void splitEachGroup(BinaryTree& tree, const CleanMesh& mesh, GeneralSplit general, GroupSplit split) {
+    const std::size_t count = tree.nodes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!tree.nodes[i].isLeaf()) continue;
+        const auto first = tree.order.begin() + tree.nodes[i].firstTriangle;
+        graft(tree, i, split(mesh, {first, first + tree.nodes[i].triangleCount}, general));
+    }
+}
+
+void keepTogether(BinaryTree&, const CleanMesh&, GeneralSplit) {}
 
 BinaryTree splitIntoVertexChains(const CleanMesh& mesh, std::vector<std::uint32_t> group, GeneralSplit) {
     return treeOfChains(growChains(mesh, std::move(group), 1));
@@ -115,12 +153,12 @@ BinaryTree splitIntoEdgeChains(const CleanMesh& mesh, std::vector<std::uint32_t>
 }
 
 BinaryTree splitIntoSingles(const CleanMesh& mesh, std::vector<std::uint32_t> group, GeneralSplit general) {
-    const CleanMesh own = meshOfGroup(mesh, group);
-    std::vector<std::uint32_t> all(group.size());
-    std::iota(all.begin(), all.end(), 0u);
-    BinaryTree tree = general(own, std::move(all), 1);
-    for (std::uint32_t& triangle : tree.order) triangle = group[triangle];
-    return tree;
+    return goOn(mesh, group, general, 1);
+}
+
+BinaryTree splitIntoSmallGroups(const CleanMesh& mesh, std::vector<std::uint32_t> group,
+                                GeneralSplit general) {
+    return goOn(mesh, group, general, kMostByCost);
 }
 
 }  // namespace clearway

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(what_is_unknown_is_refused_by_name_with_what_is_known) {
                "generalSplit is 'sideways', expected one of sah, embree, axis, mean");
     BOOST_TEST(refusal({"", "none", 4, 8}) == "generalSplit is '', expected one of sah, embree, axis, mean");
     BOOST_TEST(refusal({"axis", "None", 4, 8}) ==
-               "leafSplit is 'None' (did you mean 'none'?), expected one of none, chain, edge, all");
+               "leafSplit is 'None' (did you mean 'none'?), expected one of none, chain, edge, all, cost");
     BOOST_TEST(refusal({"axis", "none", 0, 8}) == "leafSize is 0, expected 1 to 16");
     BOOST_TEST(refusal({"axis", "none", 17, 8}) == "leafSize is 17, expected 1 to 16");
     BOOST_TEST(refusal({"axis", "none", -3, 8}) == "leafSize is -3, expected 1 to 16");

@@ -1,6 +1,7 @@
 #include "build/build.h"
 #include "build/flatten.h"
 
+#include <algorithm>
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -43,8 +44,8 @@ BOOST_DATA_TEST_CASE(every_volume_holds_what_is_below_it_and_every_triangle_come
         const FlatTree tree = build(mesh, options);
         checkTree(tree, mesh);
         for (const LeafReference at : tree.leaves()) {
-            BOOST_REQUIRE(tree.leaf(at).triangleCount <=
-                          (leaf == "all" ? 1u : static_cast<unsigned>(leafSize)));
+            const int most = leaf == "all" ? 1 : leaf == "cost" ? std::min(leafSize, 4) : leafSize;
+            BOOST_REQUIRE(tree.leaf(at).triangleCount <= static_cast<unsigned>(most));
         }
     }
 }
@@ -84,10 +85,12 @@ BOOST_DATA_TEST_CASE(the_tree_does_not_depend_on_the_number_of_threads, eachGene
                      fit) {
     const CleanMesh mesh = cleanMeshOf(bentSheet(300, 60));  // enough for many tasks
     BOOST_TEST_REQUIRE(mesh.triangles.size() > 4 * kTaskTriangles);
-    const FlatTree alone = build(mesh, {general, "none", 4, 8, fit, 1});
-    for (const int threads : isFullRun() ? std::vector<int>{2, 3, 0} : std::vector<int>{3, 0}) {
-        BOOST_TEST_CONTEXT(threads << " threads") {
-            checkSameTree(alone, build(mesh, {general, "none", 4, 8, fit, threads}));
+    for (const char* leaf : {"none", "cost"}) {
+        const FlatTree alone = build(mesh, {general, leaf, 4, 8, fit, 1});
+        for (const int threads : isFullRun() ? std::vector<int>{2, 3, 0} : std::vector<int>{3, 0}) {
+            BOOST_TEST_CONTEXT(leaf << ", " << threads << " threads") {
+                checkSameTree(alone, build(mesh, {general, leaf, 4, 8, fit, threads}));
+            }
         }
     }
 }
@@ -95,9 +98,11 @@ BOOST_DATA_TEST_CASE(the_tree_does_not_depend_on_the_number_of_threads, eachGene
 BOOST_DATA_TEST_CASE(the_tree_does_not_depend_on_the_instruction_set,
                      eachTarget() * eachGeneralSplit * eachFit, target, general, fit) {
     for (const CleanMesh& mesh : {cleanMeshOf(bentSheet(60, 40)), cleanMeshOf(soup(900, 23))}) {
-        const FlatTree best = build(mesh, {general, "none", 4, 8, fit, 1});
-        const UsingTarget thatTarget(target);
-        checkSameTree(best, build(mesh, {general, "none", 4, 8, fit, 1}));
+        for (const char* leaf : {"none", "cost"}) {
+            const FlatTree best = build(mesh, {general, leaf, 4, 8, fit, 1});
+            const UsingTarget thatTarget(target);
+            checkSameTree(best, build(mesh, {general, leaf, 4, 8, fit, 1}));
+        }
     }
 }
 

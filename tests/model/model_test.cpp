@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_with_the_known_ones) {
     checkRefused(mesh, options, {"middle", "mean", "axis"});
     options = {};
     options.leafSplit = "ring";
-    checkRefused(mesh, options, {"ring", "none", "chain", "edge", "all"});
+    checkRefused(mesh, options, {"ring", "none", "chain", "edge", "all", "cost"});
     for (const int size : {0, -1, 17}) {
         options = {};
         options.leafSize = size;

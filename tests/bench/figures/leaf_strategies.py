@@ -10,7 +10,7 @@ USUAL = {"leaf_size": "4", "node_width": "8", "instructions": "best"}
 CHECKS = ("state_checks", "motion_checks", "motion_costs")
 LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in demos/study/planner_runs.cpp
 
-COLOURS = {"none": "#666666", "chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3"}
+COLOURS = {"none": "#666666", "chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3", "cost": "#e7298a"}
 TICKS = (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.4, 2, 3, 5, 7, 10, 20)
 PAGE, GAP, LINE = 1000, 30, 30  # pixels: of the page's width, between panels, of a line's height
 COLUMNS = 3  # scenes beside each other, at most

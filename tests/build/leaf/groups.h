@@ -38,8 +38,8 @@ inline Leaves leavesOf(const BinaryTree& tree) {
     return leaves;
 }
 
-/// A leaf split of the whole mesh as one group.
-inline BinaryTree splitGroup(LeafSplit split, const CleanMesh& mesh) {
+/// Splits the whole mesh as one group.
+inline BinaryTree splitGroup(GroupSplit split, const CleanMesh& mesh) {
     std::vector<std::uint32_t> group(mesh.triangles.size());
     std::iota(group.begin(), group.end(), 0u);
     return split(mesh, group, buildByMeanSplit);

@@ -12,7 +12,9 @@ namespace {
 
 BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
     const CleanMesh mesh = meshOf({{0, 1, 2}, {3, 4, 5}, {1, 2, 6}});
-    BOOST_TEST((leavesOf(splitGroup(keepTogether, mesh)) == Leaves{{0, 1, 2}}));
+    BinaryTree tree = buildByMeanSplit(mesh, {0, 1, 2}, 3);
+    keepTogether(tree, mesh, buildByMeanSplit);
+    BOOST_TEST((leavesOf(tree) == Leaves{{0, 1, 2}}));
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
     requireRefused(folder, "info part.obj --preset foo", {"--preset", "'foo'", "best, fast"});
     requireRefused(folder, "info part.obj --fit foo", {"--fit", "'foo'", "frames, covariance"});
     requireRefused(folder, "info part.obj --leaf-split foo",
-                   {"--leaf-split", "'foo'", "none, chain, edge, all"});
+                   {"--leaf-split", "'foo'", "none, chain, edge, all, cost"});
     for (const std::string size : {"x", "17"})
         requireRefused(folder, "info part.obj --leaf-size " + size,
                        {"--leaf-size is '" + size + "'", "an integer from 1 to 16"});
