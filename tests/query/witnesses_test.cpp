@@ -25,7 +25,7 @@ struct Places {
 
 Places makePlaces(int count) {
     Random random(kSeed);
-    Places made{Model::build(randomSoup(random, 300, 1, 0.3)), Model::build(sphere(10, 24)), {}};
+    Places made{Model::build(randomSoup(random, 900, 1, 0.3)), Model::build(sphere(10, 24)), {}};
     for (int i = 0; i < count; ++i) made.poses.push_back({random.rotation(), 7 * random.direction()});
     return made;
 }
