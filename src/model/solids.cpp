@@ -11,8 +11,7 @@
 
 #include "clearway/errors.h"
 #include "core/number.h"
-#include "exact/ball.h"
-#include "exact/integer.h"
+#include "exact/ray_crossing.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"
@@ -22,10 +21,6 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 constexpr std::size_t kDeepest = 64;  ///< enough, because a node's halves differ by at most one triangle
-
-/// Relative to the lengths involved: the error of the point in mesh coordinates, which are computed with the
-/// pose's transposed rotation instead of its inverse.
-constexpr double kPlaceSlack = 8 * kPoseDefect;
 
 [[noreturn]] void refuseSolid(const std::string& name, const std::string& why) {
     throw ArgumentError("'" + name + "' encloses nothing: " + why);
@@ -42,64 +37,6 @@ EdgeReport requireClosed(const std::vector<TriangleIndices>& triangles, const st
 
 bool hasThreeCorners(const TriangleIndices& t) {
     return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-}
-
-template <class Number>
-std::optional<int> signOf(const Number& x) {
-    const Verdict notNegative = isNotNegative(x), notPositive = isNotNegative(-x);
-    if (notNegative == Verdict::yes && notPositive == Verdict::yes) return 0;
-    if (notNegative == Verdict::yes && notPositive == Verdict::no) return 1;
-    if (notNegative == Verdict::no && notPositive == Verdict::yes) return -1;
-    return std::nullopt;
-}
-
-template <class Number>
-Number determinant(const Triple<Number>& a, const Triple<Number>& b, const Triple<Number>& c) {
-    return a.dot(b.cross(c));
-}
-
-/// The side on which a point lies of an edge that it is in line with, after a move by (e, e^2) in the mesh's
-/// x and y with e positive and vanishing. The edge's direction decides it; 0 for an edge along z.
-int sideOfMovedPoint(const Vector3& from, const Vector3& to) {
-    if (from.y() != to.y()) return from.y() > to.y() ? 1 : -1;
-    return from.x() == to.x() ? 0 : from.x() < to.x() ? 1 : -1;
-}
-
-/// 1 when the ray from 0 along z leaves through the triangle's front, -1 when it enters there, 0 when it
-/// misses the triangle; empty when the numbers are too inexact to decide. w: the corners, z: the mesh's z
-/// axis, both in the frame of the decision; corners: in mesh coordinates.
-template <class Number>
-std::optional<int> crossingOf(const std::array<Triple<Number>, 3>& w, const Triple<Number>& z,
-                              const std::array<const Vector3*, 3>& corners) {
-    int side = 0;
-    for (int k = 0; k < 3; ++k) {
-        std::optional<int> sign = signOf(determinant(w[k], w[(k + 1) % 3], z));
-        if (!sign) return std::nullopt;
-        if (*sign == 0) sign = sideOfMovedPoint(*corners[k], *corners[(k + 1) % 3]);
-        if (*sign == 0 || (side != 0 && *sign != side)) return 0;
-        side = *sign;
-    }
-    const std::optional<int> height = signOf(determinant(w[0], w[1] - w[0], w[2] - w[0]));
-    if (!height) return std::nullopt;
-    return *height == side ? side : 0;
-}
-
-/// Decides a crossing in double-double, or else in whole numbers.
-int crossing(const Pose& X_aMesh, const std::array<const Vector3*, 3>& corners, const Pose& X_aPoint,
-             const Vector3& point) {
-    const Triple<Ball> q = movedBall(X_aPoint, point);
-    std::array<Triple<Ball>, 3> w;
-    for (int k = 0; k < 3; ++k) w[k] = movedBall(X_aMesh, *corners[k]) - q;
-    const Pose X_aAxes{X_aMesh.rotation, Vector3::Zero()};
-    const Vector3 z = Vector3::UnitZ();
-    if (const std::optional<int> sure = crossingOf(w, movedBall(X_aAxes, z), corners)) return *sure;
-
-    int exponent = lastBitOf(X_aPoint, point);
-    for (const Vector3* corner : corners) exponent = std::min(exponent, lastBitOf(X_aMesh, *corner));
-    const Triple<Integer> base = movedInteger(X_aPoint, point, exponent);
-    std::array<Triple<Integer>, 3> exact;
-    for (int k = 0; k < 3; ++k) exact[k] = movedInteger(X_aMesh, *corners[k], exponent) - base;
-    return crossingOf(exact, movedInteger(X_aAxes, z, lastBitOf(X_aAxes, z)), corners).value();
 }
 
 /// How far in front of a triangle its surroundings are looked at, relative to the solid's diagonal. Thinner regions
@@ -173,10 +110,9 @@ void Solid::addNode(std::uint32_t first, std::uint32_t last, int axis) {
 template <class Take>
 void Solid::eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
                          const Take& take) const {
-    const Vector3 away = X_aPoint * point - X_aMesh.translation;
-    const Vector3 p = X_aMesh.rotation.transpose() * away;
-    const double slack =
-        kPlaceSlack * (away.norm() + X_aMesh.translation.norm() + X_aPoint.translation.norm() + point.norm());
+    const ZRay ray(X_aMesh, X_aPoint, point);
+    const Vector3& p = ray.origin();
+    const double slack = ray.originError();
     std::array<std::uint32_t, kDeepest> open;
     std::size_t count = 0;
     open[count++] = 0;
@@ -194,8 +130,7 @@ void Solid::eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector
         }
         for (std::uint32_t i = node.first; i < node.last; ++i) {
             const TriangleIndices& c = triangles_[order_[i]];
-            const int sign =
-                crossing(X_aMesh, {&vertices_[c[0]], &vertices_[c[1]], &vertices_[c[2]]}, X_aPoint, point);
+            const int sign = ray.crossing({&vertices_[c[0]], &vertices_[c[1]], &vertices_[c[2]]});
             if (sign != 0) take(order_[i], sign);
         }
     }

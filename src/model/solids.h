@@ -1,6 +1,5 @@
 // The insides of closed surfaces. A point's position is decided by the signed crossings of a ray, each by
-// exact predicates. A point whose ray meets an edge or a corner counts as moved aside by less than any number
-// ("Simulation of Simplicity", Edelsbrunner and Muecke, ACM Trans. Graphics 9, 1990).
+// exact predicates.
 #pragma once
 
 #include <cstddef>
