@@ -17,8 +17,10 @@ class ZRay {
   public:
     ZRay(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point);
 
-    const Vector3& origin() const { return origin_; }  ///< mesh coordinates, rounded
-    double originError() const { return error_; }      ///< upper bound of the rounding's length, mesh units
+    /// A box in mesh coordinates that holds the origin, as small as rounding allows.
+    Box aroundOrigin() const {
+        return {(origin_.array() - error_).matrix(), (origin_.array() + error_).matrix()};
+    }
 
     /// 1 when the ray leaves through the triangle's front, -1 when it enters there, 0 when it misses the triangle.
     int crossing(const CornerPointers& corners) const;
@@ -27,8 +29,8 @@ class ZRay {
     int exactCrossing(const CornerPointers& corners) const;
 
     const Pose &X_aMesh_, &X_aPoint_;
-    Vector3 point_, origin_;
-    double error_;
+    Vector3 point_, origin_;  ///< the origin in mesh coordinates, rounded
+    double error_;            ///< upper bound of that rounding's length
 };
 
 }  // namespace clearway
