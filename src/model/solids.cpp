@@ -193,27 +193,42 @@ Solids::Solids(const Mesh& mesh) {
             refusals_.push_back(refusal.what());
         }
     }
-    std::vector<Box> boxes;
-    for (const NamedSolid& named : solids_) boxes.push_back(named.solid.box());
-    tree_ = BoxTree(boxes);
+    std::vector<Box> boxes, points;
+    for (const NamedSolid& named : solids_) {
+        boxes.push_back(named.solid.box());
+        box_.extend(boxes.back());
+    }
+    for (const Piece& piece : pieces_) points.emplace_back(piece.vertex);
+    solidTree_ = BoxTree(boxes);
+    pieceTree_ = BoxTree(points);
+}
+
+/// A box in the other mesh's coordinates around all solids of this one. The slack exceeds rounding and the poses' defects by far.
+Box Solids::boxIn(const Pose& X_aOther, const Pose& X_aThis) const {
+    constexpr double kSlack = 1e-9;
+    const Pose X_otherThis = inverse(X_aOther) * X_aThis;
+    const Vector3 centre = X_otherThis * box_.center(), half = 0.5 * box_.sizes();
+    const double lengths =
+        box_.min().norm() + box_.max().norm() + X_aOther.translation.norm() + X_aThis.translation.norm();
+    const Vector3 reach = X_otherThis.rotation.cwiseAbs() * half + Vector3::Constant(kSlack * lengths);
+    return {centre - reach, centre + reach};
 }
 
 std::optional<Solids::Enclosure> Solids::holding(const Pose& X_aThis, const Solids& inner,
                                                  const Pose& X_aInner) const {
     if (solids_.empty()) return std::nullopt;
-    // The first solid that holds a piece, and the first piece that it holds.
-    std::size_t first = solids_.size();
-    const Piece* held = nullptr;
-    for (const Piece& piece : inner.pieces_) {
-        const ZRay ray(X_aThis, X_aInner, piece.vertex);
-        tree_.eachMeeting(ray.aroundOrigin(), [&](std::uint32_t outer) {
-            if (outer >= first || solids_[outer].solid.winding(ray) <= 0) return;
+    std::size_t first = solids_.size(), held = 0;  // the first solid that holds a piece, and its first piece
+    inner.pieceTree_.eachMeeting(boxIn(X_aInner, X_aThis), [&](std::uint32_t piece) {
+        const ZRay ray(X_aThis, X_aInner, inner.pieces_[piece].vertex);
+        solidTree_.eachMeeting(ray.aroundOrigin(), [&](std::uint32_t outer) {
+            if (outer > first || (outer == first && piece > held)) return;
+            if (solids_[outer].solid.winding(ray) <= 0) return;
             first = outer;
-            held = &piece;
+            held = piece;
         });
-    }
-    if (!held) return std::nullopt;
-    return Enclosure{&names_[solids_[first].component], &inner.names_[held->component]};
+    });
+    if (first == solids_.size()) return std::nullopt;
+    return Enclosure{&names_[solids_[first].component], &inner.names_[inner.pieces_[held].component]};
 }
 
 MadeSolids makeSolids(const Mesh& mesh) {

@@ -89,10 +89,13 @@ class Solids {
         Vector3 vertex;
         std::size_t component;
     };
+    Box boxIn(const Pose& X_aOther, const Pose& X_aThis) const;
+
     std::vector<std::string> names_;  ///< of the components
     std::vector<NamedSolid> solids_;
     std::vector<Piece> pieces_;
-    BoxTree tree_;  ///< of the solids
+    Box box_;  ///< around all solids
+    BoxTree solidTree_, pieceTree_;
     std::vector<std::string> refusals_, turnedOver_;
 };
 
