@@ -49,6 +49,7 @@ constexpr double kInFront = 1e-9;
 
 }  // namespace
 
+/// A mesh's surface with what its solid is made from.
 struct WeldedSurface {
     explicit WeldedSurface(CleanMesh mesh)
         : vertices(std::move(mesh.vertices)),
@@ -119,8 +120,7 @@ int Solid::winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& poi
     return winding(ZRay(X_aMesh, X_aPoint, point));
 }
 
-/// Tells of each shell whether one of its vertices is inside no other shell. Looks at all vertices, because shells may pierce each
-/// other.
+/// Entry i: whether one of shell i's vertices is inside no other shell. Looks at all vertices, because shells may pierce each other.
 std::vector<bool> Solid::findOutermost(const Shells& shells) const {
     if (shells.count == 1) return {true};
     std::vector<std::vector<std::uint32_t>> trianglesOf(shells.count);
@@ -208,8 +208,8 @@ Box Solids::boxIn(const Pose& X_aOther, const Pose& X_aThis) const {
     constexpr double kSlack = 1e-9;
     const Pose X_otherThis = inverse(X_aOther) * X_aThis;
     const Vector3 centre = X_otherThis * box_.center(), half = 0.5 * box_.sizes();
-    const double lengths =
-        box_.min().norm() + box_.max().norm() + X_aOther.translation.norm() + X_aThis.translation.norm();
+    const double lengths = box_.min().lpNorm<1>() + box_.max().lpNorm<1>() +
+                           X_aOther.translation.lpNorm<1>() + X_aThis.translation.lpNorm<1>();
     const Vector3 reach = X_otherThis.rotation.cwiseAbs() * half + Vector3::Constant(kSlack * lengths);
     return {centre - reach, centre + reach};
 }

@@ -27,6 +27,7 @@ class Solid {
     /// not face in pairs there, or some of its surface faces outwards and some inwards.
     Solid(const Mesh& mesh, const std::string& name);
 
+    /// Makes the solid of a mesh that is already welded, without a copy.
     Solid(WeldedSurface surface, const std::string& name);
 
     bool isTurnedOver() const { return isTurnedOver_; }
@@ -38,7 +39,7 @@ class Solid {
     /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
     /// of both maps: above 0 inside. For a point on the surface the answer is that of one of its sides.
     int winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const;
-    int winding(const ZRay& fromPoint) const;
+    int winding(const ZRay& fromPoint) const;  ///< fromPoint: a ray in this mesh
 
     /// One vertex of each shell. If this vertex is outside another surface and the two surfaces do not touch,
     /// the whole shell is outside.
