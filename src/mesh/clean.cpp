@@ -17,6 +17,8 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "mesh/check.h"
+#include "mesh/components.h"
+#include "mesh/renumber.h"
 
 namespace clearway {
 
@@ -147,21 +149,16 @@ std::vector<std::uint32_t> findDuplicates(const std::vector<TriangleIndices>& tr
     return duplicates;
 }
 
-void keepFirstTriangles(const Mesh& mesh, const std::vector<std::uint32_t>& numbers, CleanMesh& clean) {
-    clean.triangles.resize(mesh.triangles.size());
-    forEachRun(mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) clean.triangles[i][k] = numbers[mesh.triangles[i][k]];
-        }
-    });
-    clean.triangleIds.resize(mesh.triangles.size());
+/// Keeps the first of equal triangles. Fills clean.triangleIds.
+void dropDuplicates(CleanMesh& clean) {
+    clean.triangleIds.resize(clean.triangles.size());
     std::iota(clean.triangleIds.begin(), clean.triangleIds.end(), 0u);
     const std::vector<std::uint32_t> duplicates = findDuplicates(clean.triangles, clean.vertices.size());
     clean.report.duplicateTriangles = duplicates.size();
     if (duplicates.empty()) return;
     std::size_t kept = 0;
     auto duplicate = duplicates.begin();
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < clean.triangles.size(); ++i) {
         if (duplicate != duplicates.end() && *duplicate == i) {
             ++duplicate;
             continue;
@@ -214,7 +211,14 @@ bool isDegenerate(const Vector3& a, const Vector3& b, const Vector3& c) {
 CleanMesh clean(const Mesh& mesh) {
     requireSoundMesh(mesh);
     CleanMesh clean;
-    keepFirstTriangles(mesh, weld(mesh, clean), clean);
+    const std::vector<std::uint32_t> numbers = weld(mesh, clean);
+    clean.triangles.resize(mesh.triangles.size());
+    forEachRun(mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) clean.triangles[i][k] = numbers[mesh.triangles[i][k]];
+        }
+    });
+    dropDuplicates(clean);
     std::atomic<std::size_t> degenerate{0};
     forEachRun(clean.triangles.size(), [&](std::size_t first, std::size_t last) {
         degenerate += static_cast<std::size_t>(std::count_if(
@@ -226,6 +230,28 @@ CleanMesh clean(const Mesh& mesh) {
     });
     clean.report.degenerateTriangles = degenerate;
     return clean;
+}
+
+std::vector<CleanMesh> cleanComponents(const Mesh& mesh) {
+    requireSoundMesh(mesh);
+    CleanMesh whole;
+    const std::vector<std::uint32_t> numbers = weld(mesh, whole);
+    FirstUseOrder numberInComponent(whole.vertices.size());
+    std::vector<CleanMesh> cleaned;
+    for (const Component& component : componentsOf(mesh)) {
+        CleanMesh& clean = cleaned.emplace_back();
+        clean.triangles.resize(component.triangleCount);
+        numberInComponent.restart();
+        for (std::size_t i = 0; i < clean.triangles.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t number = numbers[mesh.triangles[component.firstTriangle + i][k]];
+                clean.triangles[i][k] = numberInComponent(
+                    number, [&](std::uint32_t vertex) { clean.vertices.push_back(whole.vertices[vertex]); });
+            }
+        }
+        dropDuplicates(clean);
+    }
+    return cleaned;
 }
 
 }  // namespace clearway

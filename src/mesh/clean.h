@@ -23,6 +23,10 @@ struct CleanMesh {
 /// ArgumentError as requireSoundMesh does.
 CleanMesh clean(const Mesh& mesh);
 
+/// Cleans each component as if it were a mesh of its own, but for the order of its vertices. The reports count only duplicates.
+/// Throws ArgumentError as requireSoundMesh does.
+std::vector<CleanMesh> cleanComponents(const Mesh& mesh);
+
 /// Whether the three finite points lie on one line or coincide, decided in exact arithmetic.
 bool isDegenerate(const Vector3& a, const Vector3& b, const Vector3& c);
 

@@ -1,49 +1,64 @@
-// Counts edges and finds shells by sorting the triangles' sides.
+// Counts edges and finds shells in one pass over the triangles' sides, which a counting sort groups by their lower vertex.
 #include "mesh/topology.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 
 namespace clearway {
 
 namespace {
 
-/// A triangle's side. Both directions along an edge differ only in `isReversed`.
+/// A triangle's side, listed at its lower vertex.
 struct Side {
-    std::uint32_t low;
-    std::uint32_t high;
-    bool isReversed;
+    std::uint32_t high;  ///< its other vertex
+    std::uint32_t triangle;
+    int direction;  ///< 1: from the lower vertex to the other, -1: back, 0: the triangle has collapsed
 };
 
-bool isSameEdge(const Side& a, const Side& b) {
-    return a.low == b.low && a.high == b.high;
-}
-
-std::vector<Side> triangleSides(const std::vector<TriangleIndices>& triangles) {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (const TriangleIndices& t : triangles) {
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-        for (int i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-            sides.push_back({low, high, t[i] != low});
-        }
+/// Counts the edge that all these sides share.
+void count(const Side* first, const Side* last, EdgeReport& report) {
+    std::size_t number = 0;
+    int sum = 0;
+    for (const Side* side = first; side != last; ++side) {
+        number += side->direction != 0;
+        sum += side->direction;
     }
-    return sides;
-}
-
-void count(const Side* sides, std::size_t number, EdgeReport& report) {
-    const auto reversed =
-        std::size_t(std::count_if(sides, sides + number, [](const Side& side) { return side.isReversed; }));
-    if (2 * reversed == number) {
+    if (number == 0) return;
+    if (sum == 0) {
         ++(number == 2 ? report.closedEdges : report.touchingEdges);
     } else if (number == 1) {
         ++report.openEdges;
     } else {
         ++(number == 2 ? report.twistedEdges : report.overfullEdges);
     }
+}
+
+/// The sides of all triangles, grouped by lower vertex.
+struct SidesByVertex {
+    explicit SidesByVertex(const std::vector<TriangleIndices>& triangles);
+    std::vector<Side> sides;
+    std::vector<std::size_t> end;  ///< of each vertex's group
+};
+
+SidesByVertex::SidesByVertex(const std::vector<TriangleIndices>& triangles) : sides(3 * triangles.size()) {
+    std::uint32_t vertices = 0;
+    for (const TriangleIndices& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
+    end.assign(vertices + std::size_t(1), 0);
+    const auto eachSide = [&](const auto& take) {
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            for (int k = 0; k < 3; ++k) take(i, triangles[i][k], triangles[i][(k + 1) % 3]);
+        }
+    };
+    eachSide([&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    eachSide([&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
+        const TriangleIndices& t = triangles[i];
+        const bool isCollapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+        const int direction = isCollapsed ? 0 : from < to ? 1 : -1;
+        sides[end[std::min(from, to)]++] = {std::max(from, to), i, direction};
+    });
+    end.pop_back();
 }
 
 /// Disjoint sets of numbers (union-find), each named by its least member.
@@ -66,42 +81,27 @@ class Groups {
 
 }  // namespace
 
-EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles) {
-    std::vector<Side> sides = triangleSides(triangles);
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    EdgeReport report;
-    for (std::size_t first = 0, last; first < sides.size(); first = last) {
-        for (last = first + 1; last < sides.size() && isSameEdge(sides[first], sides[last]);) ++last;
-        count(&sides[first], last - first, report);
-    }
-    return report;
-}
-
-Shells findShells(const std::vector<TriangleIndices>& triangles) {
-    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> sides;  // low, high vertex, triangle
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-            sides.emplace_back(low, high, t);
+Topology findTopology(const std::vector<TriangleIndices>& triangles) {
+    SidesByVertex byVertex(triangles);
+    Topology found;
+    Groups groups(triangles.size());
+    Side* first = byVertex.sides.data();
+    for (const std::size_t end : byVertex.end) {
+        Side* const last = byVertex.sides.data() + end;
+        std::sort(first, last, [](const Side& a, const Side& b) { return a.high < b.high; });
+        while (first != last) {
+            const Side* const edge = first;
+            while (++first != last && first->high == edge->high) groups.join(first->triangle, edge->triangle);
+            count(edge, first, found.edges);
         }
     }
-    std::sort(sides.begin(), sides.end());
-    Groups groups(triangles.size());
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-        const auto& [low, high, triangle] = sides[i];
-        const auto& [lowBefore, highBefore, triangleBefore] = sides[i - 1];
-        if (low == lowBefore && high == highBefore) groups.join(triangle, triangleBefore);
-    }
-    Shells shells;
-    std::vector<std::uint32_t> number(triangles.size());
+    Shells& shells = found.shells;
+    shells.ofTriangle.resize(triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        const std::uint32_t first = groups.find(t);  // the least of its group
-        if (first == t) number[t] = shells.count++;
-        shells.ofTriangle.push_back(number[first]);
+        const std::uint32_t least = groups.find(t);  // of its group
+        shells.ofTriangle[t] = least == t ? shells.count++ : shells.ofTriangle[least];
     }
-    return shells;
+    return found;
 }
 
 std::vector<double> signedVolumes(const std::vector<Vector3>& vertices,

@@ -22,18 +22,28 @@ struct EdgeReport {
     bool isClosed() const { return openEdges == 0 && twistedEdges == 0 && overfullEdges == 0; }
 };
 
-/// Counts the edges of triangles with welded vertices (equal points have equal indices). A triangle that
-/// names a vertex twice is left out: it has collapsed to an edge, which its two neighbours then share.
-EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles);
-
 /// The sets of triangles that are connected by edges, numbered from 0 in the order of their first triangles.
 struct Shells {
     std::vector<std::uint32_t> ofTriangle;  ///< the shell of each triangle
     std::uint32_t count = 0;
 };
 
-/// Finds the shells of triangles with welded vertices.
-Shells findShells(const std::vector<TriangleIndices>& triangles);
+struct Topology {
+    EdgeReport edges;
+    Shells shells;
+};
+
+/// Counts the edges and finds the shells of triangles with welded vertices (equal points have equal indices). The counts leave out
+/// triangles that name a vertex twice: such a triangle has collapsed to an edge, which its two neighbours then share.
+Topology findTopology(const std::vector<TriangleIndices>& triangles);
+
+inline EdgeReport checkEdges(const std::vector<TriangleIndices>& triangles) {
+    return findTopology(triangles).edges;
+}
+
+inline Shells findShells(const std::vector<TriangleIndices>& triangles) {
+    return findTopology(triangles).shells;
+}
 
 /// Six times the volume that each shell encloses, positive when its triangles turn counter-clockwise seen
 /// from outside. The rounding is relative to the shell's own box.

@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "clearway/errors.h"
 #include "core/number.h"
-#include "exact/ball.h"
-#include "exact/integer.h"
+#include "exact/ray_crossing.h"
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"
@@ -20,111 +17,71 @@
 namespace clearway {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
-constexpr std::size_t kDeepest = 64;  ///< enough, because a node's halves differ by at most one triangle
-
-/// Relative to the lengths involved: the error of the point in mesh coordinates, which are computed with the
-/// pose's transposed rotation instead of its inverse.
-constexpr double kPlaceSlack = 8 * kPoseDefect;
-
 [[noreturn]] void refuseSolid(const std::string& name, const std::string& why) {
     throw ArgumentError("'" + name + "' encloses nothing: " + why);
 }
 
-EdgeReport requireClosed(const std::vector<TriangleIndices>& triangles, const std::string& name) {
-    const EdgeReport edges = checkEdges(triangles);
-    if (edges.isClosed()) return edges;
+void requireClosed(const EdgeReport& edges, const std::string& name) {
+    if (edges.isClosed()) return;
     refuseSolid(name,
                 fmt::format("{} open edges, {} edges where a triangle is turned over and {} edges of more "
                             "than two triangles that do not face in pairs, expected a closed surface",
                             edges.openEdges, edges.twistedEdges, edges.overfullEdges));
 }
 
-bool hasThreeCorners(const TriangleIndices& t) {
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+bool isCollapsed(const TriangleIndices& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-template <class Number>
-std::optional<int> signOf(const Number& x) {
-    const Verdict notNegative = isNotNegative(x), notPositive = isNotNegative(-x);
-    if (notNegative == Verdict::yes && notPositive == Verdict::yes) return 0;
-    if (notNegative == Verdict::yes && notPositive == Verdict::no) return 1;
-    if (notNegative == Verdict::no && notPositive == Verdict::yes) return -1;
-    return std::nullopt;
-}
-
-template <class Number>
-Number determinant(const Triple<Number>& a, const Triple<Number>& b, const Triple<Number>& c) {
-    return a.dot(b.cross(c));
-}
-
-/// The side on which a point lies of an edge that it is in line with, after a move by (e, e^2) in the mesh's
-/// x and y with e positive and vanishing. The edge's direction decides it; 0 for an edge along z.
-int sideOfMovedPoint(const Vector3& from, const Vector3& to) {
-    if (from.y() != to.y()) return from.y() > to.y() ? 1 : -1;
-    return from.x() == to.x() ? 0 : from.x() < to.x() ? 1 : -1;
-}
-
-/// 1 when the ray from 0 along z leaves through the triangle's front, -1 when it enters there, 0 when it
-/// misses the triangle; empty when the numbers are too inexact to decide. w: the corners, z: the mesh's z
-/// axis, both in the frame of the decision; corners: in mesh coordinates.
-template <class Number>
-std::optional<int> crossingOf(const std::array<Triple<Number>, 3>& w, const Triple<Number>& z,
-                              const std::array<const Vector3*, 3>& corners) {
-    int side = 0;
-    for (int k = 0; k < 3; ++k) {
-        std::optional<int> sign = signOf(determinant(w[k], w[(k + 1) % 3], z));
-        if (!sign) return std::nullopt;
-        if (*sign == 0) sign = sideOfMovedPoint(*corners[k], *corners[(k + 1) % 3]);
-        if (*sign == 0 || (side != 0 && *sign != side)) return 0;
-        side = *sign;
+/// One vertex of each shell.
+std::vector<Vector3> verticesOf(const Shells& shells, const std::vector<Vector3>& vertices,
+                                const std::vector<TriangleIndices>& triangles) {
+    std::vector<Vector3> found;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (shells.ofTriangle[t] == found.size()) found.push_back(vertices[triangles[t][0]]);
     }
-    const std::optional<int> height = signOf(determinant(w[0], w[1] - w[0], w[2] - w[0]));
-    if (!height) return std::nullopt;
-    return *height == side ? side : 0;
-}
-
-/// Decides a crossing in double-double, or else in whole numbers.
-int crossing(const Pose& X_aMesh, const std::array<const Vector3*, 3>& corners, const Pose& X_aPoint,
-             const Vector3& point) {
-    const Triple<Ball> q = movedBall(X_aPoint, point);
-    std::array<Triple<Ball>, 3> w;
-    for (int k = 0; k < 3; ++k) w[k] = movedBall(X_aMesh, *corners[k]) - q;
-    const Pose X_aAxes{X_aMesh.rotation, Vector3::Zero()};
-    const Vector3 z = Vector3::UnitZ();
-    if (const std::optional<int> sure = crossingOf(w, movedBall(X_aAxes, z), corners)) return *sure;
-
-    int exponent = lastBitOf(X_aPoint, point);
-    for (const Vector3* corner : corners) exponent = std::min(exponent, lastBitOf(X_aMesh, *corner));
-    const Triple<Integer> base = movedInteger(X_aPoint, point, exponent);
-    std::array<Triple<Integer>, 3> exact;
-    for (int k = 0; k < 3; ++k) exact[k] = movedInteger(X_aMesh, *corners[k], exponent) - base;
-    return crossingOf(exact, movedInteger(X_aAxes, z, lastBitOf(X_aAxes, z)), corners).value();
+    return found;
 }
 
 /// How far in front of a triangle its surroundings are looked at, relative to the solid's diagonal. Thinner regions
 /// enclose nothing of interest.
 constexpr double kInFront = 1e-9;
 
-/// Relative to the lengths involved: far more than rounding and a pose's defect. Used only in tests that save
-/// time.
-constexpr double kEnclosureSlack = 1e-9;
-
 }  // namespace
 
-Solid::Solid(const Mesh& mesh, const std::string& name) {
-    CleanMesh cleaned = clean(mesh);
-    vertices_ = std::move(cleaned.vertices);
-    std::copy_if(cleaned.triangles.begin(), cleaned.triangles.end(), std::back_inserter(triangles_),
-                 hasThreeCorners);
+/// A mesh's surface with what its solid is made from.
+struct WeldedSurface {
+    explicit WeldedSurface(CleanMesh mesh)
+        : vertices(std::move(mesh.vertices)),
+          triangles(std::move(mesh.triangles)),
+          topology(findTopology(triangles)) {}
+
+    std::vector<Vector3> vertices;
+    std::vector<TriangleIndices> triangles;
+    Topology topology;
+};
+
+Solid::Solid(const Mesh& mesh, const std::string& name) : Solid(WeldedSurface(clean(mesh)), name) {}
+
+Solid::Solid(WeldedSurface surface, const std::string& name)
+    : vertices_(std::move(surface.vertices)), triangles_(std::move(surface.triangles)) {
+    Topology& topology = surface.topology;
+    const auto collapsed = std::remove_if(triangles_.begin(), triangles_.end(), isCollapsed);
+    if (collapsed != triangles_.end()) {
+        triangles_.erase(collapsed, triangles_.end());
+        topology = findTopology(triangles_);
+    }
     if (triangles_.empty()) refuseSolid(name, "it has no triangle with three corners");
-    const EdgeReport edges = requireClosed(triangles_, name);
+    requireClosed(topology.edges, name);
     for (const Vector3& vertex : vertices_) box_.extend(vertex);
-    order_.resize(triangles_.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    addNode(0, std::uint32_t(order_.size()), 0);
-    orient(name);
-    if (edges.touchingEdges > 0) lookInFront(name);
+    std::vector<Box> boxes;
+    boxes.reserve(triangles_.size());
+    for (const auto& [a, b, c] : triangles_) {
+        boxes.emplace_back(vertices_[a]).extend(vertices_[b]).extend(vertices_[c]);
+    }
+    tree_ = BoxTree(boxes);
+    orient(topology.shells, name);
+    if (topology.edges.touchingEdges > 0) lookInFront(name);
 }
 
 /// Where surfaces touch along edges, one connected surface may bound pieces that face different ways.
@@ -142,105 +99,70 @@ void Solid::lookInFront(const std::string& name) {
     }
 }
 
-void Solid::addNode(std::uint32_t first, std::uint32_t last, int axis) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Node node{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}, -kInfinity, first, last, 0};
-    for (std::uint32_t i = first; i < last; ++i) {
-        for (const std::uint32_t corner : triangles_[order_[i]]) {
-            const Vector3& v = vertices_[corner];
-            for (int k = 0; k < 2; ++k) {
-                node.min[k] = std::min(node.min[k], v[k]);
-                node.max[k] = std::max(node.max[k], v[k]);
-            }
-            node.top = std::max(node.top, v.z());
-        }
-    }
-    const std::size_t here = nodes_.size();
-    nodes_.push_back(node);
-    if (last - first <= kLeafSize) return;
-    const std::uint32_t middle = first + (last - first) / 2;
-    const auto place = [&](std::uint32_t t) {
-        const TriangleIndices& c = triangles_[t];
-        return vertices_[c[0]][axis] + vertices_[c[1]][axis] + vertices_[c[2]][axis];
-    };
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-    addNode(first, middle, 1 - axis);
-    nodes_[here].right = std::uint32_t(nodes_.size());
-    addNode(middle, last, 1 - axis);
-}
-
 template <class Take>
-void Solid::eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
-                         const Take& take) const {
-    const Vector3 away = X_aPoint * point - X_aMesh.translation;
-    const Vector3 p = X_aMesh.rotation.transpose() * away;
-    const double slack =
-        kPlaceSlack * (away.norm() + X_aMesh.translation.norm() + X_aPoint.translation.norm() + point.norm());
-    std::array<std::uint32_t, kDeepest> open;
-    std::size_t count = 0;
-    open[count++] = 0;
-    while (count > 0) {
-        const std::uint32_t here = open[--count];
-        const Node& node = nodes_[here];
-        const bool isMissed = p.x() < node.min[0] - slack || p.x() > node.max[0] + slack ||
-                              p.y() < node.min[1] - slack || p.y() > node.max[1] + slack ||
-                              p.z() > node.top + slack;
-        if (isMissed) continue;
-        if (node.right != 0) {
-            open[count++] = node.right;
-            open[count++] = here + 1;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.last; ++i) {
-            const TriangleIndices& c = triangles_[order_[i]];
-            const int sign =
-                crossing(X_aMesh, {&vertices_[c[0]], &vertices_[c[1]], &vertices_[c[2]]}, X_aPoint, point);
-            if (sign != 0) take(order_[i], sign);
-        }
-    }
+void Solid::eachCrossing(const ZRay& ray, const Take& take) const {
+    Box along = ray.aroundOrigin();
+    along.max().z() = std::numeric_limits<double>::infinity();
+    tree_.eachMeeting(along, [&](std::uint32_t triangle) {
+        const auto& [a, b, c] = triangles_[triangle];
+        const int sign = ray.crossing({&vertices_[a], &vertices_[b], &vertices_[c]});
+        if (sign != 0) take(triangle, sign);
+    });
 }
 
-int Solid::winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const {
+int Solid::winding(const ZRay& fromPoint) const {
     int sum = 0;
-    eachCrossing(X_aMesh, X_aPoint, point, [&](std::uint32_t, int sign) { sum += sign; });
+    eachCrossing(fromPoint, [&](std::uint32_t, int sign) { sum += sign; });
     return isTurnedOver_ ? -sum : sum;
 }
 
-/// Whether a vertex of the shell is inside no other shell. Looks at all vertices, because shells may pierce
-/// each other.
-bool Solid::isOutermost(const Shells& shells, std::uint32_t shell) const {
-    if (shells.count == 1) return true;
-    std::vector<bool> isSeen(vertices_.size(), false);
-    std::vector<int> windings(shells.count);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        if (shells.ofTriangle[t] != shell) continue;
-        for (const std::uint32_t corner : triangles_[t]) {
-            if (isSeen[corner]) continue;
-            isSeen[corner] = true;
-            std::fill(windings.begin(), windings.end(), 0);
-            eachCrossing({}, {}, vertices_[corner], [&](std::uint32_t crossed, int sign) {
-                windings[shells.ofTriangle[crossed]] += sign;
-            });
-            windings[shell] = 0;  // the vertex lies on this shell
-            const auto isZero = [](int winding) { return winding == 0; };
-            if (std::all_of(windings.begin(), windings.end(), isZero)) return true;
-        }
-    }
-    return false;
+int Solid::winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const {
+    return winding(ZRay(X_aMesh, X_aPoint, point));
 }
 
-void Solid::orient(const std::string& name) {
-    const Shells shells = findShells(triangles_);
-    const std::vector<double> volumes = signedVolumes(vertices_, triangles_, shells);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        if (shells.ofTriangle[t] == shellVertices_.size()) {
-            shellVertices_.push_back(vertices_[triangles_[t][0]]);
+/// Entry i: whether one of shell i's vertices is inside no other shell. Looks at all vertices, because shells may pierce each other.
+std::vector<bool> Solid::findOutermost(const Shells& shells) const {
+    if (shells.count == 1) return {true};
+    std::vector<std::vector<std::uint32_t>> trianglesOf(shells.count);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) trianglesOf[shells.ofTriangle[t]].push_back(t);
+    std::vector<int> windings(shells.count, 0);
+    std::vector<std::uint32_t> crossedShells;
+    const auto isOutside = [&](std::uint32_t shell, const Vector3& vertex) {
+        crossedShells.clear();
+        eachCrossing(ZRay({}, {}, vertex), [&](std::uint32_t triangle, int sign) {
+            crossedShells.push_back(shells.ofTriangle[triangle]);
+            windings[crossedShells.back()] += sign;
+        });
+        windings[shell] = 0;  // the vertex lies on this shell
+        const bool isZero = std::all_of(crossedShells.begin(), crossedShells.end(),
+                                        [&](std::uint32_t other) { return windings[other] == 0; });
+        for (const std::uint32_t other : crossedShells) windings[other] = 0;
+        return isZero;
+    };
+    std::vector<std::uint32_t> seenBy(vertices_.size(),
+                                      shells.count);  // the last shell that looked at the vertex
+    const auto isOutermost = [&](std::uint32_t shell) {
+        for (const std::uint32_t triangle : trianglesOf[shell]) {
+            for (const std::uint32_t corner : triangles_[triangle]) {
+                if (seenBy[corner] == shell) continue;
+                seenBy[corner] = shell;
+                if (isOutside(shell, vertices_[corner])) return true;
+            }
         }
-    }
+        return false;
+    };
+    std::vector<bool> found(shells.count);
+    for (std::uint32_t shell = 0; shell < shells.count; ++shell) found[shell] = isOutermost(shell);
+    return found;
+}
+
+void Solid::orient(const Shells& shells, const std::string& name) {
+    const std::vector<double> volumes = signedVolumes(vertices_, triangles_, shells);
+    const std::vector<bool> isOutermost = findOutermost(shells);
+    shellVertices_ = verticesOf(shells, vertices_, triangles_);
     std::size_t outward = 0, inward = 0;
     for (std::uint32_t shell = 0; shell < shells.count; ++shell) {
-        if (volumes[shell] != 0 && isOutermost(shells, shell)) ++(volumes[shell] > 0 ? outward : inward);
+        if (volumes[shell] != 0 && isOutermost[shell]) ++(volumes[shell] > 0 ? outward : inward);
     }
     if (outward > 0 && inward > 0) {
         refuseSolid(
@@ -253,55 +175,60 @@ void Solid::orient(const std::string& name) {
 
 Solids::Solids(const Mesh& mesh) {
     const std::vector<Component> components = componentsOf(mesh);
+    std::vector<CleanMesh> cleaned = cleanComponents(mesh);
+    solids_.reserve(components.size());
     for (std::size_t i = 0; i < components.size(); ++i) {
         names_.push_back(components[i].name.empty() ? "unnamed" : components[i].name);
         if (components[i].triangleCount == 0) continue;
-        const Mesh component = meshOfComponents(mesh, {i});
-        addPieces(component, i);
+        WeldedSurface surface(std::move(cleaned[i]));
+        const Shells& shells = surface.topology.shells;
+        for (const Vector3& vertex : verticesOf(shells, surface.vertices, surface.triangles)) {
+            pieces_.push_back({vertex, i});
+        }
         try {
-            Solid solid(component, names_[i]);
+            Solid solid(std::move(surface), names_[i]);
             if (solid.isTurnedOver()) turnedOver_.push_back(names_[i]);
             solids_.push_back({std::move(solid), i});
         } catch (const std::invalid_argument& refusal) {
             refusals_.push_back(refusal.what());
         }
     }
-    Box box;
-    for (const Piece& piece : pieces_) box.extend(piece.vertex);
-    if (box.isEmpty()) return;
-    centre_ = box.center();
-    for (const Piece& piece : pieces_) radius_ = std::max(radius_, (piece.vertex - centre_).norm());
+    std::vector<Box> boxes, points;
+    for (const NamedSolid& named : solids_) {
+        boxes.push_back(named.solid.box());
+        box_.extend(boxes.back());
+    }
+    for (const Piece& piece : pieces_) points.emplace_back(piece.vertex);
+    solidTree_ = BoxTree(boxes);
+    pieceTree_ = BoxTree(points);
 }
 
-void Solids::addPieces(const Mesh& component, std::size_t number) {
-    const CleanMesh cleaned = clean(component);
-    const Shells shells = findShells(cleaned.triangles);
-    std::uint32_t next = 0;
-    for (std::size_t t = 0; t < cleaned.triangles.size(); ++t) {
-        if (shells.ofTriangle[t] != next) continue;
-        pieces_.push_back({cleaned.vertices[cleaned.triangles[t][0]], number});
-        ++next;
-    }
+/// A box in the other mesh's coordinates around all solids of this one. The slack exceeds rounding and the poses' defects by far.
+Box Solids::boxIn(const Pose& X_aOther, const Pose& X_aThis) const {
+    constexpr double kSlack = 1e-9;
+    const Pose X_otherThis = inverse(X_aOther) * X_aThis;
+    const Vector3 centre = X_otherThis * box_.center(), half = 0.5 * box_.sizes();
+    const double lengths = box_.min().lpNorm<1>() + box_.max().lpNorm<1>() +
+                           X_aOther.translation.lpNorm<1>() + X_aThis.translation.lpNorm<1>();
+    const Vector3 reach = X_otherThis.rotation.cwiseAbs() * half + Vector3::Constant(kSlack * lengths);
+    return {centre - reach, centre + reach};
 }
 
 std::optional<Solids::Enclosure> Solids::holding(const Pose& X_aThis, const Solids& inner,
                                                  const Pose& X_aInner) const {
-    const Pose X_thisInner = inverse(X_aThis) * X_aInner;
-    const Vector3 centre = X_thisInner * inner.centre_;
-    const double sizes = centre.norm() + inner.centre_.norm() + inner.radius_ + X_aThis.translation.norm() +
-                         X_aInner.translation.norm();
-    const double slack = kEnclosureSlack * sizes, reach = inner.radius_ + slack;
-    for (const NamedSolid& outer : solids_) {
-        const Box& box = outer.solid.box();
-        if (box.squaredExteriorDistance(centre) > reach * reach) continue;
-        const Box near(box.min().array() - slack, box.max().array() + slack);
-        for (const Piece& piece : inner.pieces_) {
-            if (!near.contains(X_thisInner * piece.vertex)) continue;
-            if (outer.solid.winding(X_aThis, X_aInner, piece.vertex) <= 0) continue;
-            return Enclosure{&names_[outer.component], &inner.names_[piece.component]};
-        }
-    }
-    return std::nullopt;
+    if (solids_.empty()) return std::nullopt;
+    std::size_t first = solids_.size(), held = 0;  // the first solid that holds a piece, and its first piece
+    inner.pieceTree_.eachMeeting(boxIn(X_aInner, X_aThis), [&](std::uint32_t piece) {
+        const ZRay ray(X_aThis, X_aInner, inner.pieces_[piece].vertex);
+        solidTree_.eachMeeting(ray.aroundOrigin(), [&](std::uint32_t outer) {
+            if (outer > first || (outer == first && piece > held)) return;
+            if (solids_[outer].solid.winding(ray) <= 0) return;
+            first = outer;
+            held = piece;
+        });
+    });
+    if (first == solids_.size()) return std::nullopt;
+    return Enclosure{&names_[solids_[first].component], &inner.names_[inner.pieces_[held].component]};
 }
 
 MadeSolids makeSolids(const Mesh& mesh) {

@@ -1,6 +1,5 @@
 // The insides of closed surfaces. A point's position is decided by the signed crossings of a ray, each by
-// exact predicates. A point whose ray meets an edge or a corner counts as moved aside by less than any number
-// ("Simulation of Simplicity", Edelsbrunner and Muecke, ACM Trans. Graphics 9, 1990).
+// exact predicates.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +10,13 @@
 #include <vector>
 
 #include "clearway/scene.h"
+#include "model/box_tree.h"
 
 namespace clearway {
 
+class ZRay;
 struct Shells;
+struct WeldedSurface;
 
 /// The inside of one closed mesh.
 class Solid {
@@ -25,6 +27,9 @@ class Solid {
     /// not face in pairs there, or some of its surface faces outwards and some inwards.
     Solid(const Mesh& mesh, const std::string& name);
 
+    /// Makes the solid of a mesh that is already welded, without a copy.
+    Solid(WeldedSurface surface, const std::string& name);
+
     bool isTurnedOver() const { return isTurnedOver_; }
 
     /// Whether the surface, which touches itself along edges, is also inside of what it bounds.
@@ -34,33 +39,23 @@ class Solid {
     /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
     /// of both maps: above 0 inside. For a point on the surface the answer is that of one of its sides.
     int winding(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point) const;
+    int winding(const ZRay& fromPoint) const;  ///< fromPoint: a ray in this mesh
 
     /// One vertex of each shell. If this vertex is outside another surface and the two surfaces do not touch,
     /// the whole shell is outside.
     const std::vector<Vector3>& shellVertices() const { return shellVertices_; }
 
   private:
-    /// A node of a tree of the triangles' boxes as seen along z.
-    struct Node {
-        double min[2], max[2], top;
-        std::uint32_t first, last;  ///< into order_
-        std::uint32_t right;        ///< the right child, 0 in a leaf; the left child is the next node
-    };
-
-    void addNode(std::uint32_t first, std::uint32_t last, int axis);
-    /// Calls take(triangle, sign) for the triangles that the ray from the point along the mesh's z crosses.
-    /// sign: 1 where the ray leaves through the triangle's front, -1 where it enters there.
+    /// Calls take(triangle, sign) for the triangles that the ray crosses. sign: as ZRay::crossing.
     template <class Take>
-    void eachCrossing(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point,
-                      const Take& take) const;
-    bool isOutermost(const Shells& shells, std::uint32_t shell) const;
-    void orient(const std::string& name);
+    void eachCrossing(const ZRay& ray, const Take& take) const;
+    std::vector<bool> findOutermost(const Shells& shells) const;
+    void orient(const Shells& shells, const std::string& name);
     void lookInFront(const std::string& name);
 
     std::vector<Vector3> vertices_;
     std::vector<TriangleIndices> triangles_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
+    BoxTree tree_;  ///< of the triangles
     std::vector<Vector3> shellVertices_;
     Box box_;
     bool isTurnedOver_ = false, hasWallInside_ = false;
@@ -95,13 +90,13 @@ class Solids {
         Vector3 vertex;
         std::size_t component;
     };
-    void addPieces(const Mesh& component, std::size_t number);
+    Box boxIn(const Pose& X_aOther, const Pose& X_aThis) const;
 
     std::vector<std::string> names_;  ///< of the components
     std::vector<NamedSolid> solids_;
     std::vector<Piece> pieces_;
-    Vector3 centre_ = Vector3::Zero();  ///< of the pieces' vertices
-    double radius_ = 0;                 ///< of the pieces' vertices about the centre
+    Box box_;  ///< around all solids
+    BoxTree solidTree_, pieceTree_;
     std::vector<std::string> refusals_, turnedOver_;
 };
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "mesh/components.h"
 #include "support/processor_time.h"
 #include "support/random_meshes.h"
 #include "support/words.h"
@@ -102,6 +103,35 @@ BOOST_AUTO_TEST_CASE(what_is_kept_agrees_with_a_plain_search) {
                 for (int k = 0; k < 3; ++k) {  // the order of the corners is kept too
                     const std::uint32_t given = mesh.triangles[cleaned.triangleIds[i]][k];
                     BOOST_REQUIRE((cleaned.vertices[cleaned.triangles[i][k]] == mesh.vertices[given]));
+                }
+            }
+        }
+    }
+}
+
+// Only the order of the vertices differs.
+BOOST_AUTO_TEST_CASE(each_component_is_cleaned_as_a_mesh_of_its_own) {
+    Random random(31);
+    for (int round = 0; round < 50; ++round) {
+        Mesh mesh = gridSoup(random, 60);
+        const auto first = std::uint32_t(random.below(30)), second = std::uint32_t(30 + random.below(30));
+        mesh.components = {
+            {"a", 0, first}, {"b", first, 0}, {"c", first, second - first}, {"d", second, 60 - second}};
+        const std::vector<CleanMesh> cleaned = cleanComponents(mesh);
+        BOOST_REQUIRE(cleaned.size() == 4u);
+        for (std::size_t i = 0; i < cleaned.size(); ++i) {
+            if (mesh.components[i].triangleCount == 0) {
+                BOOST_TEST(cleaned[i].triangles.empty());
+                continue;
+            }
+            const CleanMesh alone = clean(meshOfComponents(mesh, {i}));
+            BOOST_TEST(cleaned[i].vertices.size() == alone.vertices.size());
+            BOOST_TEST(cleaned[i].report.duplicateTriangles == alone.report.duplicateTriangles);
+            BOOST_REQUIRE(cleaned[i].triangleIds == alone.triangleIds);
+            for (std::size_t t = 0; t < alone.triangles.size(); ++t) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    BOOST_TEST(cleaned[i].vertices[cleaned[i].triangles[t][k]] ==
+                               alone.vertices[alone.triangles[t][k]]);
                 }
             }
         }

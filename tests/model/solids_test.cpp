@@ -181,4 +181,50 @@ BOOST_AUTO_TEST_CASE(windings_are_those_of_the_solid_angles_wherever_mesh_and_po
     BOOST_TEST(inside < 300);
 }
 
+// The winding of each solid around each piece says so.
+BOOST_AUTO_TEST_CASE(the_first_of_many_solids_that_hold_a_piece_is_named_with_its_first_piece) {
+    Random random(kSeed);
+    const auto boxes = [&](int count, double halfSide) {
+        std::vector<Mesh> meshes;
+        for (int i = 0; i < count; ++i) {
+            const Mesh at = translated(box(Vector3::Constant(halfSide), 1), random.inBox(4));
+            meshes.push_back(named(i % 3 == 0 ? reversed(at) : at, std::to_string(i)));
+        }
+        return meshes;
+    };
+    const auto all = [](const std::vector<Mesh>& meshes) {
+        Mesh mesh;
+        std::vector<Component> components;
+        for (const Mesh& next : meshes) {
+            components.push_back(next.components[0]);
+            components.back().firstTriangle = std::uint32_t(mesh.triangles.size());
+            mesh = joined(mesh, next);
+        }
+        mesh.components = components;
+        return mesh;
+    };
+    int held = 0;
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<Mesh> large = boxes(1 + 3 * round, 0.5), small = boxes(6, 0.1);
+        const Pose X_aLarge = random.pose(20), X_largeSmall = random.pose(0.5),
+                   X_aSmall = X_aLarge * X_largeSmall;
+        std::string expected;
+        for (std::size_t i = 0; i < large.size() && expected.empty(); ++i) {
+            const Solid solid(large[i], "box");
+            for (std::size_t k = 0; k < small.size() && expected.empty(); ++k) {
+                if (solid.winding(X_aLarge, X_aSmall, small[k].vertices[small[k].triangles[0][0]]) > 0) {
+                    expected = std::to_string(i) + " holds " + std::to_string(k);
+                }
+            }
+        }
+        const Solids outer(all(large)), inner(all(small));
+        const auto found = outer.holding(X_aLarge, inner, X_aSmall);
+        BOOST_TEST((found ? *found->outer + " holds " + *found->inner : "") == expected,
+                   "seed " << kSeed << ", round " << round);
+        held += !expected.empty();
+    }
+    BOOST_TEST(held > 10);
+    BOOST_TEST(held < 55);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
