@@ -87,7 +87,7 @@ void requirePreset(const std::string& name) {
     if (name == "best") return;
     if (name != "fast") throw ArgumentError(fmt::format("preset is '{}', expected best", name));
     if (PyErr_WarnEx(PyExc_DeprecationWarning,
-                     "preset='fast' means 'best', and will be refused by version 0.4", 1) != 0)
+                     "preset='fast' means 'best', and will be refused from version 0.4 on", 1) != 0)
         throw py::error_already_set();
 }
 

@@ -59,7 +59,7 @@ struct StudyOptions {
     }
 };
 
-/// How trees are built, and which instruction set queries run on. The defaults are the preset "best" and the
+/// How trees are built, and which instruction set queries run on. The defaults are those of BuildOptions and the
 /// machine's best instruction set.
 struct Engine {
     std::string generalSplit, leafSplit;

@@ -28,11 +28,15 @@ struct BuildOptions {
 /// any other name.
 [[deprecated("BuildOptions() has these values")]] BuildOptions buildPreset(const std::string& name);
 
+/// The names that buildPreset takes.
+[[deprecated("BuildOptions() has the values of all presets")]] std::vector<std::string> buildPresetNames();
+
 /// The names of all general splits, which divide a mesh into groups of triangles: "mean", "axis", "sah" and,
 /// unless clearway was built without Embree, "embree".
 std::vector<std::string> generalSplitNames();
 
-/// The names of all leaf splits, which divide a group of triangles further: "none", "chain", "edge", "all".
+/// The names of all leaf splits, which divide a group of triangles further: "none", "chain", "edge", "all",
+/// "cost".
 std::vector<std::string> leafSplitNames();
 
 /// The names of all fits, which place a volume around its triangles: "frames", "covariance".

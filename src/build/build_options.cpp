@@ -27,6 +27,10 @@ std::vector<int> widestFirst(std::integer_sequence<int, kWidths...>) {
 
 }  // namespace
 
+std::vector<std::string> buildPresetNames() {
+    return {"best", "fast"};
+}
+
 std::vector<std::string> generalSplitNames() {
     return namesOf(kGeneralSplits);
 }

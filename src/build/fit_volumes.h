@@ -19,8 +19,8 @@ namespace clearway {
 
 /// The frames in which volumes are fitted.
 enum class FitFrames {
-    /// Of the vertices' covariance, of the area's covariance, of the wide node above, and the one that the binary node found; in
-    /// each, three normals. The volume of least area wins.
+    /// Tries the frames of the vertices' and of the area's covariance, the one that the binary node found and, except for leaves,
+    /// that of the wide node above, each with three normals. Keeps the volume of least area.
     leastOfSeveral,
     /// PQP's: of the covariance of the corners, where a vertex weighs as much as the number of the node's triangles around it. The
     /// normal is the axis of least spread.

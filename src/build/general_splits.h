@@ -19,8 +19,8 @@ using GeneralSplit = BinaryTree (*)(const CleanMesh& mesh, std::vector<std::uint
                                     std::size_t largestGroup);
 
 /// The surface-area heuristic: of many planes, the one whose two sides cost least, where a side costs the
-/// area of its box times the leaves that its triangles fill. Planes lie between bins of centroids, square to
-/// the axes of three frames. Source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies,
+/// area of its box times the number of its triangles. Planes lie between bins of centroids, square to the
+/// axes of a frame that suits the triangles. Source: Wald, On fast Construction of SAH-based Bounding Volume Hierarchies,
 /// 2007.
 BinaryTree buildBySah(const CleanMesh& mesh, std::vector<std::uint32_t> triangles, std::size_t largestGroup);
 

@@ -1,4 +1,4 @@
-// What queries spend on leaves: rated for every part of a small group of triangles, one group in each lane of a vector.
+// Estimates what each part of a small group of triangles costs queries as a leaf, one group in each lane of a vector.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -161,7 +161,7 @@ class Reinsertion {
             const std::int32_t i = pending.back();
             pending.pop_back();
             const BinaryNode& source = tree_.nodes[nodes_[i].source];
-            if (source.isLeaf() || source.triangleCount <= kLargestUnmoved) {
+            if (source.isLeaf() || source.triangleCount <= kLargestMovedWhole) {
                 nodes_[i].content = mixed(std::uint64_t(i) + 1);
                 continue;
             }
@@ -329,7 +329,7 @@ HWY_EXPORT(ReinsertSubtrees);
 
 void reinsertSubtrees(BinaryTree& tree, const CleanMesh& mesh) {
     const BinaryNode& root = tree.nodes.front();
-    if (!root.isLeaf() && root.triangleCount > kLargestUnmoved)
+    if (!root.isLeaf() && root.triangleCount > kLargestMovedWhole)
         HWY_DYNAMIC_DISPATCH(ReinsertSubtrees)(tree, mesh);
 }
 

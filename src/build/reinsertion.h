@@ -6,12 +6,12 @@
 
 namespace clearway {
 
-/// Takes each subtree above those of kLargestUnmoved triangles out of the tree, from the bottom up, and puts it back where the sum
-/// of the nodes' areas becomes least. Nodes whose triangles have changed are not rated afterwards. Source: Bittner, Hapala, Havran,
+/// Takes out each subtree, down to those of kLargestMovedWhole triangles or fewer, from the bottom up, and puts it back where the sum of
+/// the nodes' areas becomes least. Nodes whose triangles have changed are not rated afterwards. Source: Bittner, Hapala, Havran,
 /// Fast Insertion-Based Optimization of Bounding Volume Hierarchies, 2013.
 void reinsertSubtrees(BinaryTree& tree, const CleanMesh& mesh);
 
-/// Subtrees of up to this many triangles stay as they are inside. Half of it lets queries visit 1 % less for 10 % more build time.
-constexpr std::uint32_t kLargestUnmoved = 16;
+/// Subtrees of up to this many triangles are moved as wholes. Half of it lets queries visit 1 % less for 10 % more build time.
+constexpr std::uint32_t kLargestMovedWhole = 16;
 
 }  // namespace clearway

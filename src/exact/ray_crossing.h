@@ -17,7 +17,8 @@ class ZRay {
   public:
     ZRay(const Pose& X_aMesh, const Pose& X_aPoint, const Vector3& point);
 
-    /// A box in mesh coordinates that holds the origin, as small as rounding allows.
+    /// A box in mesh coordinates that holds the ray's true origin: the rounded one, widened by its error bound. The poses' rotation
+    /// defects are at most kPoseDefect.
     Box aroundOrigin() const {
         return {(origin_.array() - error_).matrix(), (origin_.array() + error_).matrix()};
     }

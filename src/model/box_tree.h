@@ -30,12 +30,12 @@ class BoxTree {
     struct Node {
         Lanes min[3], max[3];
     };
-    /// A box in the tree's coordinates: middle 0, half sides of at most 1.
+    /// A box in the tree's coordinates, in which the box around all lies within +-1.
     struct FloatBox {
         float min[3], max[3];
     };
 
-    /// Rises with each coordinate, so boxes that meet still meet after all roundings.
+    /// Monotone in each coordinate, so boxes that meet still meet after all roundings.
     FloatBox inTree(const Box& box) const;
     void addLevel(const std::vector<FloatBox>& boxes);
 

@@ -113,10 +113,10 @@ void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {
                            [names, store](const std::string& value) { store(oneOf(value, names)); });
     };
     commandLine.option(
-        "--preset NAME", "best; fast, which now means the same, is refused from version 0.4 on",
+        "--preset NAME", "best, or fast, which is deprecated and means the same",
         [](const std::string& value) {
             if (oneOf(value, {"best", "fast"}) == "fast")
-                printWarnings({"--preset fast: means best, and will be refused by version 0.4"});
+                printWarnings({"--preset fast: means best, and will be refused from version 0.4 on"});
         });
     choice("--general-split NAME", "how nodes are split", generalSplitNames(), defaults.generalSplit,
            to(options.generalSplit));
