@@ -3,6 +3,7 @@
 #include "build/fit_volumes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "hwy/foreach_target.h"  // must come before highway.h
 
 #include "build/frames-inl.h"
+#include "build/weighted_spread-inl.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,33 +26,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::size_t kMostLanes = Collapse::kMostLanes;
 static_assert(2 * kMostLanes <= kLaneBlock, "each lane of a wide node has two covariances");
-
-/// Mean and spread of weighted points. Each part of a surface weighs as much as its area, or each corner as much as the others.
-struct WeightedSpread {
-    double weight = 0;
-    double mean[3] = {};
-    double second[6] = {};  ///< sums of w (x - mean) (x - mean)^T: xx, yy, zz, xy, yz, zx
-
-    void add(const WeightedSpread& other) {
-        if (!(other.weight > 0)) return;
-        const double share = other.weight / (weight + other.weight);
-        double offset[3];
-        for (int k = 0; k < 3; ++k) {
-            offset[k] = other.mean[k] - mean[k];
-            mean[k] += share * offset[k];
-        }
-        for (int k = 0; k < 6; ++k) {
-            const int p = k % 3, q = k < 3 ? p : (p + 1) % 3;
-            second[k] += other.second[k] + weight * share * offset[p] * offset[q];
-        }
-        weight += other.weight;
-    }
-
-    Covariance covariance() const {
-        const double first[3] = {};
-        return CovarianceOf(weight, first, second);
-    }
-};
 
 /// The points of a lane: in double, and in float relative to one of them. All in tree units.
 struct LanePoints {
@@ -97,9 +72,8 @@ class VolumeFitting {
 
     void sumSpreads() {
         constexpr std::size_t kNodesAtATime = 512;
-        forEachInParallel((nodes_.size() + kNodesAtATime - 1) / kNodesAtATime, [&](std::size_t part) {
-            const std::size_t end = std::min(nodes_.size(), (part + 1) * kNodesAtATime);
-            for (std::size_t i = part * kNodesAtATime; i < end; ++i) {
+        forEachRun(nodes_.size(), kNodesAtATime, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
                 for (int lane = 0; lane < nodes_[i].count; ++lane) {
                     if (nodes_[i].child[std::size_t(lane)] < 0)
                         spreads_[i].add(spreadOfLeaf(node(nodes_[i], lane)));
@@ -128,30 +102,7 @@ class VolumeFitting {
                 const Vector3 at = mesh_.vertex(mesh_.triangles()[leaf.firstTriangle + i][corner]);
                 for (int k = 0; k < 3; ++k) corners[corner][k] = at[k] * inverseUnit_ - scaledOrigin_[k];
             }
-            spread.add(spreadOf(corners));
-        }
-        return spread;
-    }
-
-    /// The scatter of a triangle's area about its mean is area / 12 times the sum over its corners; that of the corners themselves is
-    /// this sum.
-    WeightedSpread spreadOf(const double (&corners)[3][3]) const {
-        WeightedSpread spread;
-        double normalSquared = 0;
-        for (int k = 0; k < 3; ++k) {
-            const int p = k, q = (k + 1) % 3;
-            const double normal = (corners[1][p] - corners[0][p]) * (corners[2][q] - corners[0][q]) -
-                                  (corners[1][q] - corners[0][q]) * (corners[2][p] - corners[0][p]);
-            normalSquared += normal * normal;
-            spread.mean[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3;
-        }
-        const bool isByArea = frames_ == FitFrames::leastOfSeveral;
-        spread.weight = isByArea ? std::sqrt(normalSquared) : 3;
-        const double share = isByArea ? spread.weight / 12 : 1;
-        for (int k = 0; k < 6; ++k) {
-            const int p = k % 3, q = k < 3 ? p : (p + 1) % 3;
-            for (const auto& corner : corners)
-                spread.second[k] += share * (corner[p] - spread.mean[p]) * (corner[q] - spread.mean[q]);
+            spread.add(SpreadOfTriangle(corners, frames_ == FitFrames::leastOfSeveral));
         }
         return spread;
     }
@@ -317,6 +268,8 @@ class VolumeFitting {
         stored.halfLength1 = storedLength(0.5 * (double(fit.high[1]) - fit.low[1]));
         const auto [distanceSquared, normSquared] = farthest(points, stored);
         stored.radius = storedRadius(stored, distanceSquared, normSquared);
+        assert(std::isfinite(stored.radius) &&
+               std::isfinite(stored.centre[0] + stored.axis0[0] + stored.axis1[0]));
         return stored;
     }
 

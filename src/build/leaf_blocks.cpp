@@ -2,7 +2,6 @@
 #include "build/leaf_blocks.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 

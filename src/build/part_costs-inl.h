@@ -104,7 +104,7 @@ class PartCosts {
         for (std::size_t i = 0; i < kLaneBlock; i += hn::Lanes(d)) rateLanes(d, i);
     }
 
-    /// What a leaf over the part costs: its area, with the rim's share of it weighted.
+    /// The cost of a leaf over the part: its area, with the rim's share of it weighted.
     float cost(Part part, std::size_t lane) const { return cost_[part][lane]; }
     /// The area of a volume around the part.
     float area(Part part, std::size_t lane) const { return area_[part][lane]; }

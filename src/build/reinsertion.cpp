@@ -179,9 +179,8 @@ class Reinsertion {
             pending.push_back(left);
         }
         constexpr std::size_t kNodesAtATime = 1024;
-        forEachInParallel((nodes_.size() + kNodesAtATime - 1) / kNodesAtATime, [&](std::size_t part) {
-            const std::size_t end = std::min(nodes_.size(), (part + 1) * kNodesAtATime);
-            for (std::size_t i = part * kNodesAtATime; i < end; ++i) {
+        forEachRun(nodes_.size(), kNodesAtATime, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
                 if (nodes_[i].left < 0) nodes_[i].slabs = slabsOf(tree_.nodes[nodes_[i].source]);
             }
         });

@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #ifdef __SANITIZE_THREAD__
@@ -25,6 +26,13 @@ void forEachInParallel(std::size_t count, const Work& work) {
     } else {
         for (std::size_t i = 0; i < count; ++i) work(i);
     }
+}
+
+/// Calls work(first, last) for runs of `count` items, of at most `atATime` items each, in parallel.
+template <class Work>
+void forEachRun(std::size_t count, std::size_t atATime, const Work& work) {
+    forEachInParallel((count + atATime - 1) / atATime,
+                      [&](std::size_t run) { work(run * atATime, std::min(count, (run + 1) * atATime)); });
 }
 
 /// Calls both functions, at the same time where TBB has a thread for it, and returns when both have returned.

@@ -28,14 +28,6 @@ constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::size_t kItemsAtATime = 32768;
 
-/// Calls work(first, last) for runs of `count` items, in parallel.
-template <class Work>
-void forEachRun(std::size_t count, const Work& work) {
-    forEachInParallel((count + kItemsAtATime - 1) / kItemsAtATime, [&](std::size_t run) {
-        work(run * kItemsAtATime, std::min(count, (run + 1) * kItemsAtATime));
-    });
-}
-
 /// Equal vertices have equal hashes: adding 0 turns -0.0 into 0.0.
 std::uint32_t hashOf(const Vector3& vertex) {
     std::uint64_t hash = 0;
@@ -72,7 +64,7 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, CleanMesh& clean) {
     const std::size_t mask = capacity - 1;
     std::vector<Slot> slots(capacity, {0, kNoNumber});
     std::vector<std::uint32_t> hashes(count), numbers(count, kNoNumber);
-    forEachRun(count, [&](std::size_t first, std::size_t last) {
+    forEachRun(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) hashes[i] = hashOf(mesh.vertices[i]);
     });
     clean.vertices.reserve(count);
@@ -213,14 +205,14 @@ CleanMesh clean(const Mesh& mesh) {
     CleanMesh clean;
     const std::vector<std::uint32_t> numbers = weld(mesh, clean);
     clean.triangles.resize(mesh.triangles.size());
-    forEachRun(mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
+    forEachRun(mesh.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             for (std::size_t k = 0; k < 3; ++k) clean.triangles[i][k] = numbers[mesh.triangles[i][k]];
         }
     });
     dropDuplicates(clean);
     std::atomic<std::size_t> degenerate{0};
-    forEachRun(clean.triangles.size(), [&](std::size_t first, std::size_t last) {
+    forEachRun(clean.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
         degenerate += static_cast<std::size_t>(std::count_if(
             clean.triangles.begin() + std::ptrdiff_t(first), clean.triangles.begin() + std::ptrdiff_t(last),
             [&](const TriangleIndices& triangle) {

@@ -22,11 +22,9 @@ void requirePoses(const Model& part, const Model& environment, const std::vector
 /// start.
 template <class Answer>
 void forEachInBlocks(std::size_t count, const Answer& answer) {
-    const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
-    forEachInParallel(blocks, [&](std::size_t block) {
+    forEachRun(count, kBatchBlock, [&](std::size_t first, std::size_t last) {
         Workspace workspace;
-        const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
-        for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i, workspace);
+        for (std::size_t i = first; i < last; ++i) answer(i, workspace);
     });
 }
 

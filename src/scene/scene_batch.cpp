@@ -11,11 +11,9 @@ namespace {
 /// Calls answer(i) for every i below count, in parallel blocks. Each block starts without a warm start.
 template <class Answer>
 void forEachPoseInBlocks(const SceneClearance& scene, std::size_t count, const Answer& answer) {
-    const std::size_t blocks = (count + kBatchBlock - 1) / kBatchBlock;
-    forEachInParallel(blocks, [&](std::size_t block) {
+    forEachRun(count, kBatchBlock, [&](std::size_t first, std::size_t last) {
         const SceneClearance::ColdStart cold(scene);
-        const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
-        for (std::size_t i = block * kBatchBlock; i < end; ++i) answer(i);
+        for (std::size_t i = first; i < last; ++i) answer(i);
     });
 }
 

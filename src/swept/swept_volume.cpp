@@ -99,16 +99,14 @@ class Sweeping {
     /// Calls work(i, workspace) for i below count, in parallel, until the caller wants it to stop.
     template <class Work>
     void forEach(std::size_t count, const Work& work) {
-        forEachInParallel((count + kPointsOfBlock - 1) / kPointsOfBlock, [&](std::size_t block) {
+        forEachRun(count, kPointsOfBlock, [&](std::size_t first, std::size_t last) {
             if (isStopped_ || (options_.isStopped && options_.isStopped())) {
                 isStopped_ = true;
                 return;
             }
             Workspace& workspace = workspaces_.local();
             workspace.forgetWarmStart();
-            for (std::size_t i = block * kPointsOfBlock; i < std::min(count, (block + 1) * kPointsOfBlock);
-                 ++i)
-                work(i, workspace);
+            for (std::size_t i = first; i < last; ++i) work(i, workspace);
         });
     }
 

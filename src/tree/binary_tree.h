@@ -24,7 +24,7 @@ struct BinaryNode {
         kNotRated;  ///< of a volume around (a sample of) the triangles, in a unit that all nodes share
     FrameAxes axes = kModelAxes;  ///< the frame of that volume; its parent's if the node was not rated
 
-    /// What the node costs as a leaf, in the unit of the areas. A leaf split that weighs costs sets it, also for inner nodes that the
+    /// The cost of the node as a leaf, in the unit of the areas. A leaf split that weighs costs sets it, also for inner nodes that the
     /// collapse may make leaves; 0 for all others.
     float costAsLeaf = 0;
 

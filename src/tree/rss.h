@@ -14,7 +14,7 @@ struct Rss {
     double halfLength1 = 0;
     double radius = 0;
 
-    /// Of the swept surface, with the rectangle's full sides l and w: 4 pi r^2 + 2 l w + 2 pi r (l + w).
+    /// The area of the swept surface, with the rectangle's full sides l and w: 4 pi r^2 + 2 l w + 2 pi r (l + w).
     double area() const;
 };
 

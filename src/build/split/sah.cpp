@@ -3,7 +3,6 @@
 // which a volume around them has the least area. That area is kept for the collapse, and the frame for the nodes below.
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -233,13 +232,10 @@ class SahSplit {
         return partition(node, bins_->cheapestPlane());
     }
 
-    /// Calls work(first, last) for kShares parts of a large node, in parallel.
+    /// Calls work(first, last) for up to kShares parts of a large node, in parallel.
     template <class Work>
     static void share(std::size_t count, const Work& work) {
-        const std::size_t part = (count + kShares - 1) / kShares;
-        forEachInParallel(kShares, [&](std::size_t i) {
-            work(std::min(count, i * part), std::min(count, (i + 1) * part));
-        });
+        forEachRun(count, (count + kShares - 1) / kShares, work);
     }
 
     /// Bins all triangles of a node in the frame that the sample chose.
@@ -306,7 +302,7 @@ class SahSplit {
         share(count, [&](std::size_t first, std::size_t last) {
             std::size_t left = 0;
             for (std::size_t i = first; i < last; ++i) left += isLeft(i);
-            if (first < last) leftBefore[first / size + 1] = left;
+            leftBefore[first / size + 1] = left;
         });
         std::partial_sum(leftBefore.begin(), leftBefore.end(), leftBefore.begin());
         const std::size_t total = leftBefore.back();
@@ -314,7 +310,6 @@ class SahSplit {
         for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
             Corner* run = corners.get() + node.firstTriangle;
             share(count, [&](std::size_t first, std::size_t last) {
-                if (first == last) return;
                 std::size_t left = leftBefore[first / size], right = total + first - left;
                 for (std::size_t i = first; i < last; ++i) sorted[isLeft(i) ? left++ : right++] = run[i];
             });
