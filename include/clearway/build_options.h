@@ -15,7 +15,7 @@ constexpr int kLargestLeafSize = 16;
 /// The options of a build. Their default values make the fastest queries.
 struct BuildOptions {
     std::string generalSplit = "sah";  ///< see generalSplitNames()
-    std::string leafSplit = "none";    ///< see leafSplitNames()
+    std::string leafSplit = "cost";    ///< see leafSplitNames()
     int leafSize = 4;                  ///< most triangles that a leaf may hold, 1 to kLargestLeafSize
     int nodeWidth = 8;  ///< children of a node: 8, or 2 for the binary engine with exact rectangle distances
     std::string fit = "frames";  ///< see fitNames()

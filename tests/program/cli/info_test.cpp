@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_tree_is_chosen_by_names) {
     const auto tree = [&](const std::string& choices) {
         return row(runIn(folder, "info a.obj " + choices), "tree");
     };
-    const std::string rest = ", leaves of up to 4 split by none, 8 wide";
+    const std::string rest = ", leaves of up to 4 split by cost, 8 wide";
     BOOST_TEST(tree("") == "sah, fitted by frames" + rest);
     BOOST_TEST(tree("--preset best") == "sah, fitted by frames" + rest);
     BOOST_TEST(tree("--preset fast") == "sah, fitted by frames" + rest);
