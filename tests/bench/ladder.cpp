@@ -45,6 +45,7 @@ struct Step {
 BuildOptions trees(const char* split, const char* fit, int leafSize, int nodeWidth) {
     BuildOptions options;
     options.generalSplit = split;
+    options.leafSplit = "none";
     options.fit = fit;
     options.leafSize = leafSize;
     options.nodeWidth = nodeWidth;
@@ -63,6 +64,7 @@ const std::vector<Step>& steps() {
         {"cheap bound", Engine::kFloat, false, trees("sah", "frames", 4, 8)},
         {"double finish", Engine::kLibrary, false, trees("sah", "frames", 4, 8)},
         {"warm start", Engine::kLibrary, true, trees("sah", "frames", 4, 8)},
+        {"leaf split", Engine::kLibrary, true, BuildOptions()},
     };
     return kSteps;
 }

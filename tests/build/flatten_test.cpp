@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(lanes_are_those_the_collapse_chose) {
             const std::int32_t child = tree.nodes<8>()[wide].child[lane];
             BOOST_REQUIRE((child == kNoChild) == (lane >= count));
             if (lane >= count) continue;
-            BOOST_REQUIRE((child < 0) == binary.nodes[lanes[lane]].isLeaf());
+            BOOST_REQUIRE((child < 0) == collapse.isLeaf(lanes[lane]));
             if (child >= 0) {
                 pending.push_back({child, lanes[lane]});
             } else {

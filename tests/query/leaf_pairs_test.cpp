@@ -100,6 +100,7 @@ struct LeafCase {
 LeafCase makeLeaves(const std::string& name, const Mesh& part, const Mesh& environment, const Pose& pose,
                     int leafSize = 16) {
     BuildOptions options;
+    options.leafSplit = "none";
     options.leafSize = leafSize;
     LeafCase leaves{name, Model::build(part, options), Model::build(environment, options), pose, {}};
     const FlatTree &a = treeOf(leaves.part), &b = treeOf(leaves.environment);

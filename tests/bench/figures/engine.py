@@ -18,7 +18,7 @@ THESIS_ONE_BY_ONE = {"collides": 21.67, "distance": 74.45}
 # By how much a ratio may differ from the thesis's, or from 1, and still count as equal.
 EQUAL = 1.1
 # The steps that ask for distances, from the first to the last.
-STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "float", "leaf width", "node width", "cheap bound", "double finish", "warm start")
+STEPS = ("thesis's tree", "builder", "fit", "leaves of four", "float", "leaf width", "node width", "cheap bound", "double finish", "warm start", "leaf split")
 MOTIONS = {"motions in steps": "`collides` in steps", "certified motions": "certified motions"}
 
 
