@@ -35,7 +35,8 @@ constexpr const char* kClearway = "clearway";
 /// The meshes as users of the other libraries read them, with the coordinates that the problem asks for.
 SceneMeshes readByAssimpAlone(const Problem& problem) {
     return loadMeshes(problem, [](const std::string& file, const LoadOptions& options) {
-        if (options.scale != 1) throw std::runtime_error(file + " is scaled, expected a problem without scales");
+        if (options.scale != 1)
+            throw std::runtime_error(file + " is scaled, expected a problem without scales");
         return readByAssimp(file, options.reading).mesh;
     });
 }
@@ -53,9 +54,8 @@ int plan(const Problem& problem, double step, std::uint32_t seed, double limit, 
     const SceneMeshes meshes = readByAssimpAlone(problem);
     const Mesh environment = joinedEnvironment(meshes.worlds);
     const Box partBox = boundingBox(meshes.part);
-    const ob::StateSpacePtr space =
-        planning::makeSpace(problem.space, boundsOf(problem, boundingBox(environment), partBox),
-                            radiusAboutOrigin(meshes.part));
+    const ob::StateSpacePtr space = planning::makeSpace(
+        problem.space, boundsOf(problem, boundingBox(environment), partBox), radiusAboutOrigin(meshes.part));
     const auto si = std::make_shared<ob::SpaceInformation>(space);
     si->setStateValidityChecker(
         std::make_shared<FclValidityChecker>(si, makeFclMeshes(meshes.part, environment)));
@@ -96,12 +96,13 @@ int ask(const std::string& library, const Problem& problem) {
         const Model part = Model::build(meshes.part);
         const Model environment = Model::build(joinedEnvironment(meshes.worlds));
         Workspace workspace;
-        std::cout << formatNumber(distance(part, environment, X_environmentPart, {}, workspace).lower) << '\n';
+        std::cout << formatNumber(distance(part, environment, X_environmentPart, {}, workspace).lower)
+                  << '\n';
         return 0;
     }
     const std::vector<NamedPeer> all = libraries();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const NamedPeer& peer) { return peer.name == library; });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const NamedPeer& peer) { return peer.name == library; });
     if (found == all.end()) throw std::runtime_error("this build knows no library '" + library + "'");
     const SceneMeshes meshes = readByAssimpAlone(problem);
     const Peer peer = found->make(meshes.part, joinedEnvironment(meshes.worlds));

@@ -47,7 +47,7 @@ constexpr double kSurelyKept =
 /// RRTConnect and SlidingRRTConnect take turns: one of four seeks is beside the narrow places, so their numbers are apart by more.
 constexpr int kTurnsBeside = 4;
 constexpr double kMuchGained = 0.05;  ///< of a clearance
-constexpr int kFirstPaths = 3;  ///< that are widened before ways that wind less are sought
+constexpr int kFirstPaths = 3;        ///< that are widened before ways that wind less are sought
 
 /// A planner that draws its samples from a given sampler.
 template <class Planner>

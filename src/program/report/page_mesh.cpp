@@ -93,9 +93,9 @@ double cellFor(const std::vector<Vector3>& vertices, const std::vector<OwnedTria
         const double along = std::sqrt(coarse * fine);
         const std::vector<std::uint64_t> cells = cellsOf(vertices, box, diagonal / along);
         const std::size_t spread = countSpread(all, cells);
-        const bool isTooMany = spread > kSurelyTooMany * mostTriangles ||
-                               (spread > mostTriangles &&
-                                thinned(all, representatives(cells)).size() > mostTriangles);
+        const bool isTooMany =
+            spread > kSurelyTooMany * mostTriangles ||
+            (spread > mostTriangles && thinned(all, representatives(cells)).size() > mostTriangles);
         (isTooMany ? fine : coarse) = along;
     }
     return diagonal / coarse;
@@ -146,8 +146,7 @@ PageMesh pageMeshOf(const Mesh& mesh, const PageMeshLimits& most) {
     std::vector<OwnedEdge> edges = featureEdges(welded.vertices, triangles);
     if (triangles.size() > most.triangles) {
         const double cell = cellFor(welded.vertices, triangles, page.box, most.triangles);
-        const std::vector<std::uint32_t> standIns =
-            representatives(cellsOf(welded.vertices, page.box, cell));
+        const std::vector<std::uint32_t> standIns = representatives(cellsOf(welded.vertices, page.box, cell));
         triangles = thinned(triangles, standIns);
         edges = thinned(edges, standIns);
         page.error = cell * std::sqrt(3.0);
