@@ -119,6 +119,7 @@ Model ProblemScenes::modelOf(const Mesh& mesh, const std::optional<QueryRange>& 
 
 Model ProblemScenes::modelOf(const Mesh& mesh, const BuildOptions& options,
                              const std::optional<QueryRange>& range) const {
+    if (last_.empty()) return trees_.build(mesh, options, range);
     const auto known = last_.find(modelKey(mesh, options, range));
     return known != last_.end() ? known->second : trees_.build(mesh, options, range);
 }
@@ -127,7 +128,9 @@ LoadedScene ProblemScenes::load(const Problem& problem, SceneLoading loading) {
     std::map<std::uint64_t, Model> models;
     loading.build = [&](const Mesh& mesh, const BuildOptions& options,
                         const std::optional<QueryRange>& range) {
-        return models.emplace(modelKey(mesh, options, range), modelOf(mesh, options, range)).first->second;
+        const Model model = modelOf(mesh, options, range);
+        models.emplace(model.key(), model);
+        return model;
     };
     LoadedScene loaded = buildScene(problem, meshes_, trees_.options, loading);
     last_ = std::move(models);
