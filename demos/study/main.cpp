@@ -17,7 +17,6 @@
 #include "demos/study/study.h"
 #include "demos/study/study_run_text.h"
 #include "program/cli/run_on_ranks.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
 #include "program/options/shared_options.h"
@@ -161,11 +160,12 @@ study::StudyProblem loadProblem(const std::string& file) {
     study::StudyProblem study;
     study.name = plainName(file);
     study.problem = readProblem(file);
-    study.part = loadPart(study.problem, guardedLoadMesh);
-    study.obstacles = obstaclesOf(study.problem, loadWorlds(study.problem, guardedLoadMesh));
+    SceneMeshes meshes = guardedLoadMeshes(study.problem);
+    study.obstacles = obstaclesOf(study.problem, meshes.worlds);
+    study.part = std::move(meshes.part);
     if (study.obstacles.hasSolids()) study.partSolids = makeSolids(study.part).solids;
     std::vector<std::string> notes;
-    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes, guardedLoading());
+    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes, interruptibleLoading());
     printWarnings(notes);
     const fs::path poses = fs::path(file).parent_path() / (fs::path(file).stem().string() + "_replay.poses");
     if (fs::exists(poses)) study.replayPoses = readPoses(poses.string()).poses;

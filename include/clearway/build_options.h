@@ -16,7 +16,8 @@ constexpr int kLargestLeafSize = 16;
 struct BuildOptions {
     std::string generalSplit = "sah";  ///< see generalSplitNames()
     std::string leafSplit = "cost";    ///< see leafSplitNames()
-    int leafSize = 4;                  ///< most triangles that a leaf may hold, 1 to kLargestLeafSize
+    /// Most triangles that a leaf may hold, 1 to kLargestLeafSize. The leaf split "cost" makes leaves of up to 4.
+    int leafSize = 4;
     int nodeWidth = 8;  ///< children of a node: 8, or 2 for the binary engine with exact rectangle distances
     std::string fit = "frames";  ///< see fitNames()
     /// Most threads to build with, 0 to 1024 (0: as many as oneTBB gives the caller). The tree does not

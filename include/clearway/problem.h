@@ -188,6 +188,15 @@ std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = lo
 /// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
 Mesh loadEnvironment(const Problem& problem);
 
+/// What a problem's mesh files hold.
+struct SceneMeshes {
+    Mesh part;                 ///< see loadPart
+    std::vector<Mesh> worlds;  ///< see loadWorlds
+};
+
+/// Loads all meshes of a problem. Throws as loadPart and loadWorlds do.
+SceneMeshes loadMeshes(const Problem& problem, const MeshReader& read = loadMesh);
+
 /// A note on how far reading as OMPL.app does has moved the part, if the problem has no key `reading`; otherwise
 /// empty. part: from loadPart.
 std::string readingNote(const Problem& problem, const Mesh& part);
@@ -233,6 +242,11 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
 /// steps of `loading` throw.
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options = {},
                       const SceneLoading& loading = {});
+
+/// Builds the scene of meshes from loadMeshes, of this problem or of one that differs in its rules. loading.read is not called. Throws
+/// as loadScene does, but for reading.
+LoadedScene buildScene(const Problem& problem, const SceneMeshes& meshes, const BuildOptions& options = {},
+                       const SceneLoading& loading = {});
 
 /// Bounds of the part's position, in the environment's frame: problem.volume, or else OMPL.app's rule: the
 /// environment's box grown to hold start and goal, and problem.knownPath. For a goal outside, the box is extended on

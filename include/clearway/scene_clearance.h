@@ -18,6 +18,9 @@
 
 namespace clearway {
 
+namespace planning {
+class Motion;
+}
 class ContactZones;
 struct PartState;
 
@@ -236,6 +239,9 @@ class SceneClearance {
     /// This function and the next ones throw what queries throw.
     bool isFree(const Pose& X_environmentPart) const;
 
+    /// isFree() of the surfaces alone: ignores solids.
+    bool isClearOfSurfaces(const Pose& X_environmentPart) const;
+
     /// The clearance at a pose, and the pair of triangles that it belongs to. Throws what queries throw.
     PoseClearance at(const Pose& X_environmentPart, const ClearanceOptions& options = {}) const;
 
@@ -272,6 +278,10 @@ class SceneClearance {
     /// Whether any obstacle has solids.
     bool hasSolids() const { return hasSolids_; }
 
+    /// Whether poses are inside the same solids if one is reached from the other without crossing a surface that counts. False without
+    /// solids.
+    bool areSidesKept() const { return areSidesKept_; }
+
     /// The least distance to any obstacle; ignores margins, solids and contact zones. Throws what queries throw.
     SceneDistance distance(const Pose& X_environmentPart) const;
 
@@ -301,13 +311,17 @@ class SceneClearance {
     bool isOutOfRange(const Pose& X_environmentPart) const;
 
   private:
+    friend class planning::Motion;
     class FreePoses;
     struct Scratch;
     struct ThreadScratch;
     struct Asked;
     struct Enclosure;
 
-    bool isFree(const Pose& X_environmentPart, Scratch& scratch) const;
+    bool isClearOfSurfaces(const Pose& X_environmentPart, const PoseClearance& slacks,
+                           Scratch& scratch) const;
+    bool isOutsideSolids(const Pose& X_environmentPart, const PoseClearance& slacks) const;
+    bool isFreeBehind(const Pose& from, const Pose& to) const;
     bool isFree(std::size_t obstacle, const Pose& X_environmentPart, Scratch& scratch) const;
     Asked ask(std::size_t obstacle, const Pose& X_environmentPart, const ClearanceOptions& options,
               Scratch& scratch) const;
@@ -332,6 +346,7 @@ class SceneClearance {
     std::unique_ptr<ContactZones> zones_;
     std::size_t zoneCount_ = 0;
     bool hasSolids_ = false;
+    bool areSidesKept_ = false;
     std::unique_ptr<ThreadScratch> scratch_;
 };
 

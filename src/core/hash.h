@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace clearway {
 
@@ -36,6 +37,11 @@ class Hash {
     void add(const std::string& text) {
         add(std::uint64_t(text.size()));
         add(text.data(), text.size());
+    }
+    template <class T>
+    void addArray(const std::vector<T>& values) {
+        add(std::uint64_t(values.size()));
+        add(values.data(), values.size() * sizeof(T));
     }
     std::uint64_t value() const { return state_; }
 

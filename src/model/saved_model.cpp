@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -30,12 +29,6 @@ constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
     throw FileError(file + ": " + reason + ", expected a model saved by this version of clearway");
 }
 
-std::uint64_t hashOf(std::string_view bytes) {
-    Hash hash;
-    hash.add(bytes.data(), bytes.size());
-    return hash.value();
-}
-
 std::uint64_t hashOf(std::uint64_t key, std::string_view payload) {
     Hash hash;
     hash.add(key);
@@ -43,7 +36,9 @@ std::uint64_t hashOf(std::uint64_t key, std::string_view payload) {
     return hash.value();
 }
 
-void addVector(ArchiveWriter& out, const Vector3& v) {
+/// Out: an ArchiveWriter or a Hash.
+template <class Out>
+void addVector(Out& out, const Vector3& v) {
     for (int k = 0; k < 3; ++k) out.add(v[k]);
 }
 
@@ -53,7 +48,8 @@ Vector3 readVector(ArchiveReader& in) {
     return v;
 }
 
-void addOptions(ArchiveWriter& out, const BuildOptions& options) {
+template <class Out>
+void addOptions(Out& out, const BuildOptions& options) {
     out.add(options.generalSplit);
     out.add(options.leafSplit);
     out.add(options.fit);
@@ -71,7 +67,8 @@ BuildOptions readOptions(ArchiveReader& in) {
     return options;
 }
 
-void addRange(ArchiveWriter& out, const std::optional<QueryRange>& range) {
+template <class Out>
+void addRange(Out& out, const std::optional<QueryRange>& range) {
     out.add(std::uint64_t(range.has_value()));
     if (!range) return;
     addVector(out, range->positions.min());
@@ -205,18 +202,22 @@ bool isSame(const Component& a, const Component& b) {
 std::string readWhole(const std::string& file) {
     std::error_code unreadable;
     std::ifstream in;
-    if (std::filesystem::is_regular_file(file, unreadable)) in.open(file, std::ios::binary);
+    if (std::filesystem::is_regular_file(file, unreadable)) in.open(file, std::ios::binary | std::ios::ate);
     if (!in.is_open()) {
         throw FileError(file + ": cannot be read, expected a saved model");
     }
-    return {std::istreambuf_iterator<char>(in), {}};
+    std::string bytes(static_cast<std::size_t>(in.tellg()), '\0');
+    in.seekg(0);
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
 }
 
 }  // namespace
 
 std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
                        const std::optional<QueryRange>& range) {
-    ArchiveWriter out;
+    Hash out;
     out.add(kVersion);
     addOptions(out, options);
     addRange(out, range);
@@ -227,7 +228,7 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
         out.add(component.triangleCount);
     }
     out.add(mesh.origin.file);
-    return hashOf(out.bytes());
+    return out.value();
 }
 
 void Model::save(const std::string& file) const {

@@ -60,14 +60,18 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
 }
 
 LoadedScene loadScene(const Problem& problem, const BuildOptions& options, const SceneLoading& loading) {
-    const Mesh partMesh = loadPart(problem, loading.read);
-    const std::vector<Mesh> worlds = loadWorlds(problem, loading.read);
-    const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
+    return buildScene(problem, loadMeshes(problem, loading.read), options, loading);
+}
+
+LoadedScene buildScene(const Problem& problem, const SceneMeshes& meshes, const BuildOptions& options,
+                       const SceneLoading& loading) {
+    const Mesh& partMesh = meshes.part;
+    const ObstacleGroups obstacles = obstaclesOf(problem, meshes.worlds);
     const Model part = loading.build(partMesh, options, std::nullopt);
     std::optional<QueryRange> range;
     if (loading.range) range = loading.range(part, obstacles.environmentBox());
     std::vector<std::string> notes = partMesh.origin.warnings;
-    for (const Mesh& world : worlds) {
+    for (const Mesh& world : meshes.worlds) {
         for (const std::string& warning : world.origin.warnings) notes.push_back(warning);
     }
     notes.insert(notes.end(), obstacles.notes.begin(), obstacles.notes.end());

@@ -255,4 +255,9 @@ Mesh loadEnvironment(const Problem& problem) {
     return joinedEnvironment(loadWorlds(problem));
 }
 
+SceneMeshes loadMeshes(const Problem& problem, const MeshReader& read) {
+    Mesh part = loadPart(problem, read);
+    return {std::move(part), loadWorlds(problem, read)};
+}
+
 }  // namespace clearway

@@ -63,6 +63,10 @@ SceneClearance::SceneClearance(Scene scene)
         isFree(i, somewhere, scratch_->mine());
     }
     zoneCount_ = zones_->count();
+    const auto isShrunk = [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; };
+    areSidesKept_ = hasSolids_ && zoneCount_ == 0 &&
+                    std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), isShrunk);
+    if (areSidesKept_) scratch_->rememberTrees();
 }
 
 SceneClearance::~SceneClearance() = default;
@@ -78,23 +82,49 @@ double SceneClearance::mostClearance() const {
 bool SceneClearance::isFree(const Pose& X_environmentPart) const {
     Scratch& mine = scratch_->mine();
     if (mine.freePoses.contain(X_environmentPart)) return true;
-    if (!isFree(X_environmentPart, mine)) return false;
+    PoseClearance slacks;
+    zones_->findSlacks(scene_, X_environmentPart, slacks);
+    const bool isClear = mine.clearPose && isSamePose(*mine.clearPose, X_environmentPart);
+    if (!isClear && !isClearOfSurfaces(X_environmentPart, slacks, mine)) return false;
+    if (!isOutsideSolids(X_environmentPart, slacks)) return false;
     mine.freePoses.add(X_environmentPart);
     return true;
 }
 
-bool SceneClearance::isFree(const Pose& X_environmentPart, Scratch& mine) const {
-    PoseClearance at;
-    zones_->findSlacks(scene_, X_environmentPart, at);
-    const bool isApart = visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
-        if (zones_->isIgnored(i, at) || isFree(i, X_environmentPart, mine)) return true;
+bool SceneClearance::isClearOfSurfaces(const Pose& X_environmentPart) const {
+    Scratch& mine = scratch_->mine();
+    if (mine.freePoses.contain(X_environmentPart)) return true;
+    PoseClearance slacks;
+    zones_->findSlacks(scene_, X_environmentPart, slacks);
+    if (!isClearOfSurfaces(X_environmentPart, slacks, mine)) return false;
+    mine.clearPose.emplace(X_environmentPart);
+    return true;
+}
+
+bool SceneClearance::isClearOfSurfaces(const Pose& X_environmentPart, const PoseClearance& slacks,
+                                       Scratch& mine) const {
+    return visitAll(scene_.obstacles.size(), mine.nearest, [&](std::size_t i) {
+        if (zones_->isIgnored(i, slacks) || isFree(i, X_environmentPart, mine)) return true;
         mine.nearest = i;
         return false;
     });
-    if (!isApart || !hasSolids_) return isApart;
+}
+
+bool SceneClearance::isOutsideSolids(const Pose& X_environmentPart, const PoseClearance& slacks) const {
+    if (!hasSolids_) return true;
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-        if (!zones_->isIgnored(i, at) && enclosureBy(i, X_environmentPart)) return false;
+        if (!zones_->isIgnored(i, slacks) && enclosureBy(i, X_environmentPart)) return false;
     }
+    return true;
+}
+
+/// For the two ends of a motion that sweep() certified: whether `from` is remembered to be free on this thread. Then `to` is free, too,
+/// because no surface was crossed on the way, and is remembered.
+bool SceneClearance::isFreeBehind(const Pose& from, const Pose& to) const {
+    if (!areSidesKept_) return false;
+    Scratch& mine = scratch_->mine();
+    if (!mine.freePoses.contain(from)) return false;
+    if (!mine.freePoses.contain(to)) mine.freePoses.add(to);
     return true;
 }
 
@@ -148,7 +178,10 @@ PoseClearance SceneClearance::at(const Pose& X_environmentPart, const ClearanceO
         return true;
     });
     if (!answer.nearest.obstacle) answer.nearest = nowhere();
-    if (hasSolids_) lookAtSolids(X_environmentPart, options.isOutside, answer);
+    if (hasSolids_) {
+        const bool isOutside = options.isOutside || mine.freePoses.contain(X_environmentPart);
+        lookAtSolids(X_environmentPart, isOutside, answer);
+    }
     nameTriangle(answer.nearest);
     return answer;
 }
@@ -239,7 +272,8 @@ SceneClearance::ColdStart::ColdStart(const SceneClearance& clearance)
         cold.workspaces.resize(clearance.scene_.obstacles.size());
         for (Workspace& workspace : cold.workspaces) workspace.forgetWarmStart();
         cold.nearest = 0;
-        cold.freePoses = {};
+        cold.freePoses = FreePoses();
+        cold.clearPose.reset();
     }
     isCold_ = true;
 }

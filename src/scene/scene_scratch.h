@@ -3,10 +3,11 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <algorithm>
-#include <array>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,30 +27,50 @@ bool visitAll(std::size_t count, std::size_t first, const Visit& visit) {
     return true;
 }
 
-/// The last poses found free. Planners check a state and then several motions to it.
+inline bool isSamePose(const Pose& a, const Pose& b) {
+    return a.translation == b.translation && a.rotation == b.rotation;
+}
+
+/// Poses found free, each in the place that its numbers choose, until another one takes it. Planners check a state and then several
+/// motions to it.
 class SceneClearance::FreePoses {
   public:
+    static constexpr std::size_t kFew = 16;
+    /// Enough for the states of a planner's trees: from each, motions go on to states that need not be looked at then.
+    static constexpr std::size_t kOfTrees = 16384;
+
+    /// places: a power of two.
+    explicit FreePoses(std::size_t places = kFew) : places_(places) {}
+
     bool contain(const Pose& pose) const {
-        return std::any_of(poses_.begin(), poses_.end(), [&](const Pose& known) {
-            return known.translation == pose.translation && known.rotation == pose.rotation;
-        });
+        return !poses_.empty() && isSamePose(poses_[placeOf(pose)], pose);
     }
+
     void add(const Pose& pose) {
-        poses_[next_] = pose;
-        next_ = (next_ + 1) % poses_.size();
+        if (poses_.empty()) poses_.assign(places_, {Matrix3::Identity(), Vector3::Constant(kNone)});
+        poses_[placeOf(pose)] = pose;
     }
 
   private:
-    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    std::array<Pose, 8> poses_ = noPoses();
-    std::size_t next_ = 0;
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  ///< equals no pose
 
-    /// NaN equals no pose.
-    static std::array<Pose, 8> noPoses() {
-        std::array<Pose, 8> none;
-        none.fill({Matrix3::Identity(), Vector3::Constant(kNone)});
-        return none;
+    std::size_t placeOf(const Pose& pose) const {
+        std::uint64_t mixed = 0;
+        const auto mix = [&](double number) {
+            std::uint64_t bits = 0;
+            number += 0;  // -0 equals 0
+            std::memcpy(&bits, &number, sizeof bits);
+            mixed = (mixed ^ bits) * 0x9e3779b97f4a7c15u;
+            mixed ^= mixed >> 32;
+        };
+        for (const double number : pose.translation) mix(number);
+        mix(pose.rotation(0, 1));
+        mix(pose.rotation(1, 2));
+        return mixed & (places_ - 1);
     }
+
+    std::size_t places_;
+    std::vector<Pose> poses_;  ///< empty until the first one
 };
 
 /// The data that one thread keeps from query to query.
@@ -57,7 +78,8 @@ struct SceneClearance::Scratch {
     std::vector<Workspace> workspaces;  ///< one for each obstacle
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
     FreePoses freePoses{};
-    bool isInMotion = false;  ///< a query of a motion is under way; see ThreadScratch::ForMotion
+    std::optional<Pose> clearPose{};  ///< the last one that isClearOfSurfaces() found clear
+    bool isInMotion = false;        ///< a query of a motion is under way; see ThreadScratch::ForMotion
 };
 
 struct SceneClearance::ThreadScratch {
@@ -67,7 +89,17 @@ struct SceneClearance::ThreadScratch {
     };
 
     explicit ThreadScratch(std::size_t obstacles)
-        : perThread([obstacles] { return Both{Scratch{std::vector<Workspace>(obstacles)}}; }) {}
+        : perThread([obstacles, this] {
+              Both both{Scratch{std::vector<Workspace>(obstacles)}};
+              both.warm.freePoses = FreePoses(warmPoses_);
+              return both;
+          }) {}
+
+    /// Warm threads remember as many free poses as planners' trees have. Call it before they ask.
+    void rememberTrees() {
+        warmPoses_ = FreePoses::kOfTrees;
+        perThread.clear();
+    }
 
     Scratch& mine() {
         Both& both = perThread.local();
@@ -99,6 +131,9 @@ struct SceneClearance::ThreadScratch {
 
     /// The scratch of a thread is from the standard allocator: TBB's has locks, which do not survive a fork.
     tbb::enumerable_thread_specific<Both, std::allocator<Both>> perThread;
+
+  private:
+    std::size_t warmPoses_ = FreePoses::kFew;
 };
 
 struct SceneClearance::Enclosure {

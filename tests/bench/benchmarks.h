@@ -18,6 +18,9 @@ int run(int count, char** words);
 namespace clearway::testing::fcl_motions {
 int run(int count, char** words);
 }
+namespace clearway::testing::from_files {
+int run(int count, char** words);
+}
 namespace clearway::testing::growth {
 int run(int count, char** words);
 }

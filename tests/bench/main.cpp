@@ -21,6 +21,7 @@ constexpr Benchmark kBenchmarks[] = {
     {"fcl_continuous", fcl_continuous::run},
     {"fcl_first_path", fcl_first_path::run},
     {"fcl_motions", fcl_motions::run},
+    {"from_files", from_files::run},
     {"growth", growth::run},
     {"kernels", kernels::run},
     {"ladder", ladder::run},

@@ -4,6 +4,7 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include <functional>
+#include <optional>
 
 #include "clearway/planning/audit.h"
 
@@ -16,6 +17,8 @@ struct SimplifyOptions {
     /// The clearance (distance - margin) that new motions keep, in environment units.
     double floor = 0;
     std::function<bool()> isSpent;  ///< called often, also within motions; true ends the shortening
+    /// All motions of the path are known to keep this clearance; without it the path is audited first.
+    std::optional<double> kept = std::nullopt;
 };
 
 /// Runs rounds of OMPL's vertex removal and shortcuts until they stop paying. Each new motion is certified to

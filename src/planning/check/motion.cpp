@@ -78,6 +78,21 @@ bool Motion::isEndValid() {
     return isOutside_;
 }
 
+bool Motion::isEndClear() {
+    if (!hasSolids() || floor_ > 0) return isEndValid();
+    if (isEndKnown_ || isEndClear_) return true;
+    if (!isEndWithinBounds()) return false;
+    ++queries_;
+    isEndClear_ = posed_.clearance().isClearOfSurfaces(posed_.pose(s2_));
+    return isEndClear_;
+}
+
+void Motion::followSide() {
+    if (!hasSolids() || isEndKnown_ || jumpsAtEnd()) return;
+    isEndKnown_ = posed_.clearance().isFreeBehind(posed_.pose(s1_), posed_.pose(s2_));
+    isOutside_ = isOutside_ || isEndKnown_;
+}
+
 void Motion::measure() {
     motion_ = sweptMotion();
     // Checked before OMPL interpolates, because OMPL asserts unit quaternions.
@@ -105,6 +120,12 @@ bool Motion::isFreeAt(double time) {
     posed_.space().interpolate(s1_, s2_, time, scratch_.get());
     ++queries_;
     return posed_.clearance().isFree(posed_.pose(scratch_.get()));
+}
+
+bool Motion::isClearAt(double time) {
+    posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+    ++queries_;
+    return posed_.clearance().isClearOfSurfaces(posed_.pose(scratch_.get()));
 }
 
 SceneSweep Motion::sweep(const SceneSweepOptions& options) {
@@ -198,7 +219,7 @@ bool Motion::isWithinBoundsAt(double time) {
 }
 
 bool Motion::isEndLikeInterpolation() {
-    if (isEndKnown_ && floor_ == 0) return true;
+    if (isEndKnown_ && (floor_ == 0 || !jumpsAtEnd())) return true;
     if (!jumpsAtEnd() && !hasSolids()) return true;
     return isEndValid() && (floor_ == 0 || atEnd(std::numeric_limits<double>::denorm_min()).isValid());
 }

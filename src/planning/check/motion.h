@@ -49,6 +49,12 @@ class Motion {
     /// Whether s2 is valid: by far the cheapest test of a motion. Throws what queries and callbacks throw.
     bool isEndValid();
 
+    /// The same of the surfaces alone, where solids take longer.
+    bool isEndClear();
+
+    /// For a motion that a sweep certified: if s1 is known to be free, s2 is known to be, too.
+    void followSide();
+
     /// Finds length() and slack(); call it before anything that follows. Throws OmplError when the
     /// motion has no finite bound, and what the callbacks throw.
     void measure();
@@ -59,6 +65,7 @@ class Motion {
     double travel() const { return posed_.bound(s1_, s2_); }
     double floor() const { return floor_; }
     bool hasSolids() const { return posed_.clearance().hasSolids(); }
+    bool areSidesKept() const { return posed_.clearance().areSidesKept(); }
     bool isStartWithinBounds() const { return posed_.si().satisfiesBounds(s1_); }
     bool isEndWithinBounds() const { return posed_.si().satisfiesBounds(s2_); }
 
@@ -69,6 +76,7 @@ class Motion {
     /// The floor counts only in the sweep.
     bool isFreeAtStart();
     bool isFreeAt(double time);
+    bool isClearAt(double time);  ///< of surfaces, within the bounds or not
     SceneSweep sweep(const SceneSweepOptions& options);
 
     /// Bounds of the motion's least clearance up to a cap, s2's besides the end of the interpolation. isForReverse: the
@@ -160,7 +168,8 @@ class Motion {
     PartMotion motion_;
     double slack_ = 0;
     bool checksBoundsBetween_ = true;
-    bool isEndKnown_ = false;  ///< isEndValid said that s2 is valid
+    bool isEndKnown_ = false;  ///< s2 is valid
+    bool isEndClear_ = false;  ///< s2 is clear of surfaces
     bool isOutside_ = false;  ///< no solid that always counts holds the part at one pose, so none does at any
     std::uint64_t queries_ = 0;
     PoseClearance closest_;

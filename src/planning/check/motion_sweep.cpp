@@ -36,10 +36,11 @@ MotionVerdict MotionSweep::certify() {
     if (!motion_.isStartWithinBounds()) return invalidStart();
     if (!motion_.isEndWithinBounds()) return MotionVerdict::kInvalid;
     if (motion_.length() == 0) return judgeEnds();
-    if (!motion_.isShort() && !motion_.isEndValid()) return MotionVerdict::kInvalid;
+    if (!motion_.isShort() && !motion_.isEndClear()) return MotionVerdict::kInvalid;
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
     if (verdict != MotionVerdict::kValid) return verdict;
+    motion_.followSide();
     if (!motion_.isEndLikeInterpolation()) return MotionVerdict::kInvalid;
     // s2 may be out of a solid that holds the part everywhere else: a turn that OMPL leaves out until the end leads far.
     if (motion_.hasSolids() && motion_.jumpsAtEnd() && !motion_.isFreeAtStart()) return invalidStart();
@@ -61,7 +62,30 @@ MotionVerdict MotionSweep::judgeEnds() {
     return MotionVerdict::kValid;
 }
 
-/// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept.
+/// A pose in collision is cheap to find, so the motion is halved until its middle is free before it is swept. Solids are asked last: a
+/// sweep that gets to the middle shows on which side of them it is.
+SceneSweep MotionSweep::sweepUpTo(double border) {
+    double middle = border;
+    const auto sweepFrom = [&](const auto& isFreeAt) {
+        options_.isContactAtEnd = false;
+        options_.until = border;
+        double time = border;
+        for (; motion_.length() * time > options_.contactInterval && !isFreeAt(time); time *= 0.5) {
+            options_.isContactAtEnd = true;
+            options_.until = time;
+        }
+        middle = time;
+        return motion_.sweep(options_);
+    };
+    const auto isFreeAt = [&](double time) { return motion_.isFreeAt(time); };
+    if (!motion_.areSidesKept()) return sweepFrom(isFreeAt);
+    const SceneSweep found = sweepFrom([&](double time) { return motion_.isClearAt(time); });
+    const bool isMiddleFree = found.certifiedUntil >= middle ||
+                              motion_.length() * middle <= options_.contactInterval ||
+                              motion_.isFreeAt(middle);
+    return isMiddleFree ? found : sweepFrom(isFreeAt);
+}
+
 MotionVerdict MotionSweep::goForward() {
     motion_.forgetSide();
     if (!motion_.isStartWithinBounds()) return invalidStart();
@@ -72,13 +96,7 @@ MotionVerdict MotionSweep::goForward() {
         return MotionVerdict::kInvalid;
     }
     options_.isForward = true;
-    options_.until = border.first;
-    for (double time = border.first; motion_.length() * time > options_.contactInterval; time *= 0.5) {
-        if (motion_.isFreeAt(time)) break;
-        options_.isContactAtEnd = true;
-        options_.until = time;
-    }
-    const SceneSweep found = motion_.sweep(options_);
+    const SceneSweep found = sweepUpTo(border.first);
     certifiedTime_ = found.certifiedUntil;
     // Where no surfaces touch, solids hold the part at the start or at no pose.
     if ((certifiedTime_ == 0 || motion_.hasSolids()) && !motion_.isFreeAtStart()) return invalidStart();
@@ -99,6 +117,7 @@ MotionVerdict MotionSweep::goForward() {
         blockedTime_ = border.last;
         return MotionVerdict::kInvalid;
     }
+    motion_.followSide();
     if (motion_.isEndValid()) return MotionVerdict::kValid;
     if (!motion_.isFreeAtStart()) return invalidStart();
     certifiedTime_ = kJustBeforeEnd;

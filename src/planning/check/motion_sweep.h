@@ -56,6 +56,7 @@ class MotionSweep {
     std::vector<MotionInterval> profile(double share);
 
   private:
+    SceneSweep sweepUpTo(double border);
     MotionVerdict lookBehindUndecided();
     MotionVerdict invalidStart();
     MotionVerdict judgeEnds();

@@ -128,22 +128,25 @@ class Simplifier {
 PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options) try {
     requireNotNegative("floor", options.floor);
-    PathAudit before = audit(path, validator);
-    if (!before.isValid() || path.getStateCount() < 3) return before;
+    std::optional<PathAudit> before;
+    if (!options.kept || path.getStateCount() < 3) before = audit(path, validator);
+    if (path.getStateCount() < 3 || (before && !before->isValid())) return *before;
+    const double least = before ? before->lowerClearance : *options.kept;
     og::PathGeometric shorter = path;
     const Simplifier simplifier(validator, options);
-    PathAudit after = before;
+    std::optional<PathAudit> after;
     for (int i = 0; i < kTries && !simplifier.isSpent(); ++i) {
-        simplifier.shortenKeeping(options.floor, after.lowerClearance, shorter);
+        simplifier.shortenKeeping(options.floor, after ? after->lowerClearance : least, shorter);
         after = audit(shorter, validator);
-        if (!after.isValid() || after.upperClearance >= options.floor) break;
+        if (!after->isValid() || after->upperClearance >= options.floor) break;
     }
     // OMPL interpolates the rest of an old motion as a motion of its own, which may come closer: OMPL leaves
     // out turns below 1.6e-4 rad.
-    const double kept = std::min(options.floor, before.lowerClearance);
-    if (!after.isValid() || after.upperClearance < kept) return before;
+    const double kept = std::min(options.floor, least);
+    if (!after || !after->isValid() || after->upperClearance < kept)
+        return before ? *before : audit(path, validator);
     path = shorter;
-    return after;
+    return *after;
 } catch (const ompl::Exception& refusal) {
     throw OmplRefusal(refusal);
 }

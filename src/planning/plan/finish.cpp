@@ -33,7 +33,9 @@ PathAudit shortenKeeping(const PlanSetup& setup, og::PathGeometric& path, double
     og::PathGeometric shorter = path;
     const double floor = std::max(setup.floor, kept);
     unwind(shorter, *setup.auditor, floor, isSpent);
-    PathAudit found = simplify(shorter, *setup.auditor, {floor, isSpent});
+    SimplifyOptions options{floor, isSpent};
+    if (kept > 0) options.kept = kept;
+    PathAudit found = simplify(shorter, *setup.auditor, options);
     if (kept > 0 && keptClearance(shorter, *setup.auditor, {0, kept, kAccuracy, {}}) < kept) {
         return audit(path, *setup.auditor);
     }
@@ -134,7 +136,9 @@ PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::fun
     const double kept = keptBy(setup, path, found, isSpent);
     const double floor = std::max(setup.floor, std::min(cap, kept));
     unwind(path, *setup.auditor, floor, isSpent);
-    PathAudit shortened = simplify(path, *setup.auditor, {floor, isSpent});
+    SimplifyOptions options{floor, isSpent};
+    if (kept > 0) options.kept = kept;
+    PathAudit shortened = simplify(path, *setup.auditor, options);
     raiseTo(std::min(kept, keptClearance(path, *setup.auditor, {0, floor, kAccuracy, {}})), shortened);
     return shortened;
 }

@@ -46,7 +46,8 @@ constexpr double kSurelyKept =
 
 /// RRTConnect and SlidingRRTConnect take turns: one of four seeks is beside the narrow places, so their numbers are apart by more.
 constexpr int kTurnsBeside = 4;
-constexpr int kFirstPaths = 3;  ///< that are widened before ways that wind less are sought
+constexpr double kMuchGained = 0.05;  ///< of a clearance
+constexpr int kFirstPaths = 3;        ///< that are widened before ways that wind less are sought
 
 /// A planner that draws its samples from a given sampler.
 template <class Planner>
@@ -191,6 +192,8 @@ void FloorSearch::run(const FloorSearchOptions& options, const std::function<boo
     options_ = options;
     isSpent_ = isSpent;
     isEnough_ = isEnough(best_);
+    gained_ = Clock::now();
+    gainedTo_ = best_.clearance;
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < options.threads; ++i) {
         others.push_back(std::async(std::launch::async, [this] { work(); }));
@@ -207,6 +210,11 @@ double FloorSearch::clearance() const {
 bool FloorSearch::hasWidenedSeveral() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return ways_ > 1;
+}
+
+double FloorSearch::secondsWithoutGain() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return secondsSince(gained_);
 }
 
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
@@ -298,6 +306,13 @@ void FloorSearch::widen(const Job& job) {
         const std::lock_guard<std::mutex> lock(mutex_);
         takeIfBetter({std::make_shared<og::PathGeometric>(path), kept}, gain_);
     };
+    double risenTo = job.path.clearance;
+    options.onSweep = [&](double clearance) {
+        if (clearance <= (1 + kMuchGained) * risenTo) return;
+        risenTo = clearance;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        gained_ = Clock::now();
+    };
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
     } else {
@@ -338,6 +353,9 @@ void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
     best_ = path;
     gain_ = gain;
     isEnough_ = isEnough(best_);
+    if (best_.clearance <= (1 + kMuchGained) * gainedTo_) return;
+    gainedTo_ = best_.clearance;
+    gained_ = Clock::now();
 }
 
 void FloorSearch::seek(const Job& job) {

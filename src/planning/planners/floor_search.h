@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
+#include "core/clock.h"
 #include "planning/improve/unwind.h"
 
 namespace clearway::planning {
@@ -62,6 +63,10 @@ class FloorSearch {
     /// Whether a band has widened a second path. May be called while run() goes on.
     bool hasWidenedSeveral() const;
 
+    /// The seconds since run() began, or since a band last gained much, in the clearance of its states or in that of its motions. May
+    /// be called while run() goes on.
+    double secondsWithoutGain() const;
+
     /// The best way, as one branch. Its states live until the next run().
     void getPlannerData(ompl::base::PlannerData& data) const;
 
@@ -107,6 +112,8 @@ class FloorSearch {
     Seeks wideSeeks_, shortSeeks_;
     double share_ = kFirstShare;  ///< of the difference, for the next floor
     double widened_ = 0;          ///< seconds spent
+    Clock::time_point gained_;    ///< when a band last gained much
+    double gainedTo_ = 0;         ///< the best clearance then
 };
 
 }  // namespace clearway::planning

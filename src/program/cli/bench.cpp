@@ -197,7 +197,7 @@ void serve(study::Ranks& ranks, const BenchArguments& given, const Problem& prob
     ranks.serve([&](const std::string& number) -> std::optional<std::string> {
         if (isInterrupted()) return std::nullopt;
         if (!scene) {
-            scene.emplace(given.trees.load(problem));
+            scene.emplace(ProblemScenes(problem, given.trees).scene(problem));
             doRun = study::runsOf(problem, *scene, options);
         }
         return jobsOf(doRun)(number);
@@ -249,7 +249,7 @@ int benchProblem(const Arguments& arguments, study::Ranks* ranks) {
     requireFactsFile(files);
 
     BenchmarkOptions options = benchmarkOptions(given, problem);
-    const Scene scene = given.trees.load(problem);
+    const Scene scene = ProblemScenes(problem, given.trees).scene(problem);
     GrowingLog growing(log);
     options.keep = [&](const Benchmark& benchmark) { growing.keep(benchmark); };
     if (ranks) options.share = [&](const study::SharedRuns& runs) { shareOut(runs, *ranks); };

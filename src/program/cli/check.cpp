@@ -128,7 +128,8 @@ int check(const Arguments& arguments) {
     requireFiles(options, problem);
     const std::vector<PartState> path = readPath(options.path, problem.space);
     for (const PartState& state : path) problem.knownPath.extend(state.position);
-    const Scene scene = options.trees.load(problem);
+    ProblemScenes scenes(problem, options.trees);
+    const Scene scene = scenes.scene(problem);
     const std::string tooFine = whySweptIsTooFine(options.outputs, scene, path);
     if (!tooFine.empty()) throw std::invalid_argument(tooFine);
     planning::PathCheck found;
@@ -139,11 +140,12 @@ int check(const Arguments& arguments) {
     printWarnings(problem.warnings);
     tellCheck(problem, scene, found, options);
     if (!options.csv.empty()) writeProfile(found.audit, scene, path, options.csv);
-    const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, path);
+    const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scenes.meshes(), scene, path);
     printOverlaps(overlaps);
     facts()["overlaps"] = toJson(overlaps);
     if (found.audit.isValid()) requireAllowed(overlaps);
-    const bool isWhole = options.outputs.write(problem, scene, path, found.audit, {}, overlaps);
+    const bool isWhole =
+        options.outputs.write(problem, scenes.meshes(), scene, path, found.audit, {}, overlaps);
     requirePrinted();
     const bool hasEnds = options.isAnyEnds || (found.beginsAtStart() && found.endsAtGoal());
     return found.audit.isValid() && hasEnds && isWhole ? kDone : kAnswerIsNo;

@@ -1,15 +1,14 @@
 #include "program/cli/enclosure.h"
 
-#include "model/solids.h"
 #include "problem/config.h"
 
 namespace clearway::cli {
 
-std::string enclosureNote(const Mesh& part, const std::vector<Mesh>& worlds, const Pose& X_environmentPart) {
-    const Solids partSolids(part);
-    for (const Mesh& world : worlds) {
-        const Solids worldSolids(world);
-        const auto found = worldSolids.holding({}, partSolids, X_environmentPart);
+std::string EnclosureNotes::at(const Pose& X_environmentPart) {
+    if (!part_) part_.emplace(meshes_.part);
+    for (std::size_t i = 0; i < meshes_.worlds.size(); ++i) {
+        if (i == worlds_.size()) worlds_.emplace_back(meshes_.worlds[i]);
+        const auto found = worlds_[i].holding({}, *part_, X_environmentPart);
         if (!found) continue;
         const std::string name = writtenNames({*found->outer}).value_or(*found->outer);
         return "the part is inside '" + *found->outer +

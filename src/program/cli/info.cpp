@@ -114,16 +114,17 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
 
 /// Tells whether the part is valid at an end of the path ("start", "goal"); if so, how far from what; if not, why.
 void describeEnd(const std::string& end, const SceneClearance& clearance, const PartState& state,
-                 const Mesh& part, const std::vector<Mesh>& worlds) {
+                 EnclosureNotes& enclosures) {
     const std::string label = "at the " + end;
     const Pose X_environmentPart = poseOf(state);
     const PoseClearance at = clearance.at(X_environmentPart);
     const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     tell({{label,
-           !why.isValid() ? "NOT valid: " + why.words()
+           !why.isValid()         ? "NOT valid: " + why.words()
+           : std::isinf(at.lower) ? "valid, with nothing near"
            : !at.nearest.witness
-               ? "valid, with nothing near"
+               ? "valid, clearance " + shownLength(at.lower) + " or more"
                : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
                              names.part, names.environment, leftOutAt(at)),
            "at_" + end,
@@ -136,35 +137,38 @@ void describeEnd(const std::string& end, const SceneClearance& clearance, const 
     const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
                           std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
-    const std::string note = mayTouch || !why.isValid() ? "" : enclosureNote(part, worlds, X_environmentPart);
+    const std::string note = mayTouch || !why.isValid() ? "" : enclosures.at(X_environmentPart);
     if (!note.empty()) printWarnings({label + " " + note});
 }
 
-void describeEnds(const Problem& problem, const Mesh& part, const std::vector<Mesh>& worlds) {
-    const LoadedScene loaded = loadScene(problem, {}, guardedLoading());
+/// Returns the part's model.
+Model describeEnds(const Problem& problem, ProblemScenes& scenes) {
+    const LoadedScene loaded = scenes.sceneWithNotes(problem);
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const SceneClearance clearance(loaded.scene);
-    describeEnd("start", clearance, problem.start, part, worlds);
-    if (!problem.outside) describeEnd("goal", clearance, problem.goal, part, worlds);
+    EnclosureNotes enclosures(scenes.meshes());
+    describeEnd("start", clearance, problem.start, enclosures);
+    if (!problem.outside) describeEnd("goal", clearance, problem.goal, enclosures);
+    return loaded.scene.part;
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const Problem problem = readJudged(file);
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
-    const Mesh environment = joinedEnvironment(worlds);
-    const ObstacleGroups obstacles = obstaclesOf(problem, worlds);
+    ProblemScenes scenes(problem, {tree, ""});
+    const Mesh& part = scenes.meshes().part;
+    const Mesh environment = joinedEnvironment(scenes.meshes().worlds);
     describeProblem(problem, boundingBox(environment), boundingBox(part));
-    tellObstacles(obstacles);
-    describeEnds(problem, part, worlds);
+    tellObstacles(obstaclesOf(problem, scenes.meshes().worlds));
+    const Model partModel = describeEnds(problem, scenes);
     std::cout << "\nPart\n";
-    const Model partModel = describeMesh(
-        "part", part, problem.meshes.asOmplApp ? "as OMPL.app reads a robot" : "as stored", tree);
+    describeMesh("part", part, problem.meshes.asOmplApp ? "as OMPL.app reads a robot" : "as stored",
+                 partModel);
     std::cout << "\nEnvironment\n";
+    const auto range = planning::planningRange(problem, {}, partModel, boundingBox(environment));
     describeMesh("environment", environment,
-                 problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored", tree,
-                 planning::planningRange(problem, {}, partModel, boundingBox(environment)));
+                 problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored",
+                 scenes.modelOf(environment, range), range);
 }
 
 double liftTolerance(const Problem& problem, double overlap) {
@@ -172,12 +176,12 @@ double liftTolerance(const Problem& problem, double overlap) {
 }
 
 /// Why the start is not valid with this overlap.
-WhyInvalid whyStartIsInvalid(Problem problem, double overlap) {
+WhyInvalid whyStartIsInvalid(Problem problem, ProblemScenes& scenes, double overlap) {
     OverlapRules& rules = problem.rules.overlap;
     rules.common = overlap;
     rules.tolerance = liftTolerance(problem, overlap);
     try {
-        const SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
+        const SceneClearance clearance(scenes.wholeScene(problem));
         return clearance.whyInvalid(poseOf(problem.start));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("no overlap is found that frees the start; tried: " +
@@ -186,9 +190,9 @@ WhyInvalid whyStartIsInvalid(Problem problem, double overlap) {
 }
 
 /// For a start at which surfaces only touch.
-void printSmallLift(const Problem& problem, double partSize) {
+void printSmallLift(const Problem& problem, ProblemScenes& scenes, double partSize) {
     const double overlap = awayFromZero(kSmallLift * partSize, 3);
-    const WhyInvalid why = whyStartIsInvalid(problem, overlap);
+    const WhyInvalid why = whyStartIsInvalid(problem, scenes, overlap);
     if (!why.isValid())
         return printRow("lift",
                         "overlap = " + depthText(overlap) + " does not free the start: " + why.words());
@@ -201,7 +205,8 @@ void printSmallLift(const Problem& problem, double partSize) {
 void describeLift(const std::string& file) {
     Problem problem = readJudged(file);
     tellProblem(problem);
-    const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem);
+    ProblemScenes scenes(problem, {});
+    const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem, scenes.meshes());
     facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
     problem.margin = 0;
@@ -210,22 +215,22 @@ void describeLift(const std::string& file) {
     problem.rules.overlap.byName.clear();
     problem.rules.overlap.isThinAllowed = true;
     if (overlaps.empty()) {
-        const SceneClearance clearance(loadScene(problem, {}, guardedLoading()).scene);
+        const SceneClearance clearance(scenes.wholeScene(problem));
         const WhyInvalid why = clearance.whyInvalid(poseOf(problem.start));
         printRow("start",
                  "no obstacle reaches into the part" + (why.isValid() ? "" : ", but " + why.words()));
         if (why.kind == WhyInvalid::Kind::kCollides)
-            printSmallLift(problem, clearance.scene().part.box().diagonal().norm());
+            printSmallLift(problem, scenes, clearance.scene().part.box().diagonal().norm());
         return;
     }
     double least = 0, enough = 0;
     for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
     enough = awayFromZero(enough, 3);
-    WhyInvalid why = whyStartIsInvalid(problem, enough);
+    WhyInvalid why = whyStartIsInvalid(problem, scenes, enough);
     for (int doublings = 0; !why.isValid() && doublings < kMostDoublings; ++doublings) {
         least = enough;
         enough *= 2;
-        why = whyStartIsInvalid(problem, enough);
+        why = whyStartIsInvalid(problem, scenes, enough);
     }
     if (!why.isValid())
         throw std::invalid_argument("no overlap up to " + shownLength(enough) +
@@ -233,7 +238,7 @@ void describeLift(const std::string& file) {
     const bool isFromSearch = least > 0;
     while (isFromSearch && enough - least > kLiftError * enough) {
         const double middle = awayFromZero(0.5 * (least + enough), 3);
-        (whyStartIsInvalid(problem, middle).isValid() ? enough : least) = middle;
+        (whyStartIsInvalid(problem, scenes, middle).isValid() ? enough : least) = middle;
     }
     facts()["lift"] = {{"overlap", toJson(enough)}};
     if (isFromSearch) facts()["lift"]["tolerance"] = toJson(liftTolerance(problem, enough));
@@ -273,7 +278,8 @@ int info(const Arguments& arguments) {
             throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
         LoadOptions load;
         load.scale = scale.value_or(1);
-        describeMesh("mesh", guardedLoadMesh(file, load), "as stored", tree);
+        const Mesh mesh = guardedLoadMesh(file, load);
+        describeMesh("mesh", mesh, "as stored", Model::build(mesh, tree));
     } else if (scale) {
         throw std::invalid_argument(
             "--scale is '" + readable(*scale) +

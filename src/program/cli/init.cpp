@@ -19,7 +19,6 @@
 #include "problem/start_remedies.h"
 #include "program/cli/enclosure.h"
 #include "program/options/facts.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
 #include "program/options/shared_options.h"
@@ -254,8 +253,9 @@ int init(const Arguments& words) {
     problem.meshes.world = given.environment[0];
     problem.meshes.furtherWorlds.assign(given.environment.begin() + 1, given.environment.end());
     problem.outside.emplace();
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
+    ProblemScenes scenes(problem, {});
+    const Mesh& part = scenes.meshes().part;
+    const std::vector<Mesh>& worlds = scenes.meshes().worlds;
     const Mesh environment = joinedEnvironment(worlds);
     std::vector<Mesh> meshes = worlds;
     meshes.push_back(part);
@@ -274,7 +274,7 @@ int init(const Arguments& words) {
     const Vector3 room = Vector3::Constant(kRoom * farthest.norm());
     seen.bounds = Box(seen.bounds.min() - room, seen.bounds.max() + room);
     seen.farSide = farSideOf(boundingBox(part), boundingBox(environment));
-    const Scene scene = loadScene(problem, {}, guardedLoading()).scene;
+    const Scene scene = scenes.wholeScene(problem);
     seen.touched = touchedObstacles(scene, Pose());
     const double contactLength = kUsualContact * boundingBox(part).diagonal().norm();
     seen.remedies = startRemedies(problem, seen.touched, contactLength, true);
@@ -287,7 +287,7 @@ int init(const Arguments& words) {
     tell({kept("problem", given.out), partFact, environmentFact, kept("touched_at_start", seen.touched)});
     if (seen.touched.empty()) {
         printRow("start", clearanceAtStart(scene));
-        if (const std::string note = enclosureNote(part, worlds, {}); !note.empty())
+        if (const std::string note = EnclosureNotes(scenes.meshes()).at({}); !note.empty())
             printWarnings({"at the start " + note});
     } else {
         std::vector<std::string> names;

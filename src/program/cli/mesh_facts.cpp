@@ -109,8 +109,8 @@ Facts treeFacts(const BuildReport& report) {
 
 }  // namespace
 
-Model describeMesh(const char* name, const Mesh& mesh, const std::string& reading,
-                   const BuildOptions& options, const std::optional<QueryRange>& range) {
+void describeMesh(const char* name, const Mesh& mesh, const std::string& reading, const Model& model,
+                  const std::optional<QueryRange>& range) {
     Json& all = facts()[name];
     const auto tellOf = [&all](const Facts& table) {
         printRows(rowsOf(table));
@@ -118,7 +118,6 @@ Model describeMesh(const char* name, const Mesh& mesh, const std::string& readin
     };
     tellOf(readingFacts(mesh, reading));
     tellOf(triangleFacts(mesh, clean(mesh)));
-    const Model model = Model::build(mesh, options, range);
     const BuildReport& report = model.report();
     if (range)
         printRow("out of range",
@@ -126,7 +125,6 @@ Model describeMesh(const char* name, const Mesh& mesh, const std::string& readin
                              counted(report.unreachableTriangles, "triangle"), shownLength(range->cap)));
     printRows(rowsOf(treeFacts(report)));
     all["tree"] = toJson(treeFacts(report));
-    return model;
 }
 
 }  // namespace clearway::cli

@@ -9,7 +9,6 @@
 
 #include "mesh/components.h"
 #include "model/solids.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/report/frames.h"
 #include "program/report/path_line.h"
@@ -73,7 +72,7 @@ std::vector<FoundOverlap> findOverlaps(const Mesh& part, const OverlapMeter& met
 
 }  // namespace
 
-std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& scene,
+std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                                         const std::vector<PartState>& path) {
     std::map<double, double> tolerances;
     double least = std::numeric_limits<double>::infinity(), leastTolerance = least;
@@ -87,26 +86,23 @@ std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& sce
     const report::PathLine line(path, scene.part.radiusAboutOrigin());
     std::vector<PosedAt> poses;
     for (const double share : report::evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
-    const ObstacleGroups obstacles = obstaclesOf(problem, loadWorlds(problem, guardedLoadMesh));
+    const ObstacleGroups obstacles = obstaclesOf(problem, meshes.worlds);
     std::vector<Piece> pieces;
     for (const ObstacleGroup& group : obstacles.groups) {
         if (group.overlap > 0)
             addComponents(group.mesh, group.overlap + tolerances.at(group.overlap), pieces);
     }
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    return findOverlaps(part, OverlapMeter(part, leastTolerance), pieces, poses, kShareOfInterest * least);
+    return findOverlaps(meshes.part, OverlapMeter(meshes.part, leastTolerance), pieces, poses,
+                        kShareOfInterest * least);
 }
 
-std::vector<FoundOverlap> overlapsAtStart(const Problem& problem) {
+std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes) {
     Problem allowingNone = problem;
     allowingNone.rules.overlap = {};
     std::vector<Piece> pieces;
-    for (const ObstacleGroup& group :
-         obstaclesOf(allowingNone, loadWorlds(problem, guardedLoadMesh)).groups) {
+    for (const ObstacleGroup& group : obstaclesOf(allowingNone, meshes.worlds).groups)
         addComponents(group.mesh, 0, pieces);
-    }
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    return findOverlaps(part, OverlapMeter(part), pieces, {{0, poseOf(problem.start)}}, 0);
+    return findOverlaps(meshes.part, OverlapMeter(meshes.part), pieces, {{0, poseOf(problem.start)}}, 0);
 }
 
 void requireAllowed(const std::vector<FoundOverlap>& overlaps) {

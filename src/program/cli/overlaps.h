@@ -20,11 +20,11 @@ struct FoundOverlap {
 
 /// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest
 /// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none.
-std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const Scene& scene,
+std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                                         const std::vector<PartState>& path);
 
 /// For each obstacle that reaches into the part at the problem's start, where it reaches deepest.
-std::vector<FoundOverlap> overlapsAtStart(const Problem& problem);
+std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes);
 
 /// Cross-checks a path that was certified as valid: throws std::logic_error if a measured overlap is deeper than
 /// allowed.

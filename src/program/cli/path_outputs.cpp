@@ -13,7 +13,6 @@
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
 #include "program/options/facts.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/report/export_motion.h"
 #include "program/report/report.h"
@@ -184,12 +183,12 @@ void PathOutputs::require(OutputFiles& files) const {
         throw std::invalid_argument("--swept-tolerance is given without --swept, expected both");
 }
 
-bool PathOutputs::write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-                        const planning::PathAudit& audit, const Rows& planner,
-                        const std::vector<FoundOverlap>& overlaps) const {
+bool PathOutputs::write(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
+                        const std::vector<PartState>& path, const planning::PathAudit& audit,
+                        const Rows& planner, const std::vector<FoundOverlap>& overlaps) const {
     if (isEmpty()) return true;
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    const Mesh environment = shownEnvironment(problem);
+    const Mesh& part = meshes.part;
+    const Mesh environment = shownEnvironment(problem, meshes.worlds);
     if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, *this);
     if (!motion.empty()) {
         const std::optional<double> metres = metresPerUnit(problem);
@@ -237,12 +236,11 @@ void addPathOutputs(CommandLine& commandLine, PathOutputs& outputs) {
         positive(outputs.sweptTolerance));
 }
 
-Mesh shownEnvironment(const Problem& problem) {
+Mesh shownEnvironment(const Problem& problem, const std::vector<Mesh>& worlds) {
     Problem allAlike = problem;
     allAlike.margin = 0;
     allAlike.rules = ObstacleRules();
     allAlike.rules.ignored = problem.rules.ignored;
-    const std::vector<Mesh> worlds = loadWorlds(problem, guardedLoadMesh);
     const ObstacleGroups obstacles = obstaclesOf(allAlike, worlds);
     return obstacles.groups.empty() ? joinedEnvironment(worlds) : obstacles.groups[0].mesh;
 }

@@ -26,8 +26,8 @@ struct PathOutputs {
     /// Writes the files and prints a row about each. Returns false when Ctrl-C left one out. planner: figures of the
     /// planner that found the path; may be empty. audit: the path's audit, with its profile. overlaps: those along the
     /// path.
-    bool write(const Problem& problem, const Scene& scene, const std::vector<PartState>& path,
-               const planning::PathAudit& audit, const Rows& planner,
+    bool write(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
+               const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& planner,
                const std::vector<FoundOverlap>& overlaps) const;
 
     /// Prints a row about each file that is not written, with the reason.
@@ -44,6 +44,6 @@ void addPathOutputs(CommandLine& commandLine, PathOutputs& to);
 
 /// The environment as one mesh to show, without the obstacles that the problem ignores. If the problem
 /// ignores all obstacles, all are shown.
-Mesh shownEnvironment(const Problem& problem);
+Mesh shownEnvironment(const Problem& problem, const std::vector<Mesh>& worlds);
 
 }  // namespace clearway::cli

@@ -188,25 +188,23 @@ void requireExplainable(const Scene& scene) {
     }
 }
 
-planning::Explanation explain(const PlanArguments& given, const Problem& problem,
+planning::Explanation explain(const PlanArguments& given, const Problem& problem, ProblemScenes& scenes,
                               const planning::WhyNoPath& why) {
     planning::ExplainOptions options;
     options.plan = given.plan;
     options.seconds = *given.explainSeconds;
-    options.load = [&](const Problem& changed) {
-        return given.trees.loadWithNotes(changed, given.plan).scene;
-    };
+    options.load = [&](const Problem& changed) { return scenes.sceneWithNotes(changed, given.plan).scene; };
     const ElapsedLine elapsed("explaining");
     return planning::explain(problem, why, options);
 }
 
 /// Says why there is no path. Returns the path of a trial of --explain that solves the problem after all; empty without one.
 std::vector<PartState> tellWhy(const PlanArguments& given, const planning::WhyNoPath& why,
-                               const Problem& problem, const Scene& scene) {
+                               const Problem& problem, ProblemScenes& scenes, const Scene& scene) {
     std::vector<PartState> path;
     printWhyNoPath(why);
     if (given.explainSeconds) {
-        planning::Explanation explanation = explain(given, problem, why);
+        planning::Explanation explanation = explain(given, problem, scenes, why);
         printExplanation(explanation, scene.largestMargin());
         path = std::move(explanation.path);
     }
@@ -232,7 +230,7 @@ std::string whyNotAsked(const PlanReport& report) {
 
 /// Without a path, the files that were asked for are about the nearest miss, or a row tells why they are not written.
 void writeMiss(const PlanArguments& given, const PlanReport& report, const Problem& problem,
-               const Scene& scene, const Rows& figures) {
+               const SceneMeshes& meshes, const Scene& scene, const Rows& figures) {
     PathOutputs outputs = given.outputs;
     if (!report.whyNoPath) {
         const std::string why = whyNotAsked(report);
@@ -249,8 +247,9 @@ void writeMiss(const PlanArguments& given, const PlanReport& report, const Probl
         PathOutputs page;
         std::swap(page.report, outputs.report);
         page.isOfMiss = true;
-        page.write(problem, scene, nearest.path, planning::checkPath(problem, scene, nearest.path).audit,
-                   figures, overlapsAlong(problem, scene, nearest.path));
+        page.write(problem, meshes, scene, nearest.path,
+                   planning::checkPath(problem, scene, nearest.path).audit, figures,
+                   overlapsAlong(problem, meshes, scene, nearest.path));
     }
     outputs.tellUnwritten("no path was found");
 }
@@ -279,19 +278,19 @@ void tellPath(const Facts& found, const PlanReport& report, const Problem& probl
 
 /// Writes the files about the path; returns false when interrupted. A swept volume that is too fine for this path is
 /// refused after the other files.
-bool writeOutputs(PathOutputs outputs, const Problem& problem, const Scene& scene,
+bool writeOutputs(PathOutputs outputs, const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                   const std::vector<PartState>& path, const planning::PathAudit& audit, const Rows& figures,
                   const std::vector<FoundOverlap>& overlaps) {
     const std::string tooFine = whySweptIsTooFine(outputs, scene, path);
     if (!tooFine.empty()) outputs.swept.clear();
-    const bool isWhole = outputs.write(problem, scene, path, audit, figures, overlaps);
+    const bool isWhole = outputs.write(problem, meshes, scene, path, audit, figures, overlaps);
     if (!tooFine.empty()) throw std::invalid_argument(tooFine);
     return isWhole;
 }
 
 /// Prints and writes what was found. Tells oldPath when there is a new path.
-int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene& scene, PlanReport& report,
-                 OldPath& oldPath) {
+int tellAndWrite(const PlanArguments& given, const Problem& problem, ProblemScenes& scenes,
+                 const Scene& scene, PlanReport& report, OldPath& oldPath) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
     tellScene(scene);
@@ -312,7 +311,7 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene
                          : given.explainSeconds ? "none found so far"
                                                 : "none found");
         if (report.shutIn) tell({proofFact(*report.shutIn)});
-        if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scene);
+        if (report.whyNoPath) path = tellWhy(given, *report.whyNoPath, problem, scenes, scene);
         if (!path.empty()) {
             report.audit = printTrialPath(path, problem, scene, given.path);
             isValid = report.audit.isValid();
@@ -321,13 +320,13 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, const Scene
     if (!path.empty()) oldPath.isReplaced();
     if (!path.empty()) tellNearestUnwritten(given, "a path was found");
     const std::vector<FoundOverlap> overlaps =
-        path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scene, path);
+        path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scenes.meshes(), scene, path);
     printOverlaps(overlaps);
     if (!report.path.empty()) facts()["overlaps"] = toJson(overlaps);
     if (isValid) requireAllowed(overlaps);
-    if (path.empty()) writeMiss(given, report, problem, scene, rowsOf(figures));
-    const bool isWhole = path.empty() || writeOutputs(given.outputs, problem, scene, path, report.audit,
-                                                      rowsOf(figures), overlaps);
+    if (path.empty()) writeMiss(given, report, problem, scenes.meshes(), scene, rowsOf(figures));
+    const bool isWhole = path.empty() || writeOutputs(given.outputs, problem, scenes.meshes(), scene, path,
+                                                      report.audit, rowsOf(figures), overlaps);
     requirePrinted();
     return !path.empty() && isValid && isWhole ? kDone : kAnswerIsNo;
 }
@@ -351,10 +350,12 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
             }
         });
     };
+    std::optional<ProblemScenes> scenes;
     const Scene scene = [&] {
         const Watch watch(isInterrupted, planning::kMostOverrun,
                           [&](const Watch::IsEnded&) { end(tellCutLoading); });
-        return given.trees.load(problem, given.plan);
+        scenes.emplace(problem, given.trees);
+        return scenes->scene(problem, given.plan);
     }();
     if (given.explainSeconds) requireExplainable(scene);
     const std::string tooFine = whySweptIsTooFine(given.outputs, scene, {problem.start});
@@ -366,7 +367,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
             elapsed.reset();
             PlanReport report = soFar;
             report.warnings.push_back(overrunOf(report));
-            return tellAndWrite(given, problem, scene, report, oldPath);
+            return tellAndWrite(given, problem, *scenes, scene, report, oldPath);
         });
     };
     elapsed.emplace("planning");
@@ -380,7 +381,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
         throw;
     }
     elapsed.reset();
-    return tellAndWrite(given, problem, scene, report, oldPath);
+    return tellAndWrite(given, problem, *scenes, scene, report, oldPath);
 }
 
 }  // namespace

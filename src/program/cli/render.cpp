@@ -15,7 +15,6 @@
 #include "program/cli/print_audit.h"
 #include "program/cli/render_options.h"
 #include "program/options/facts.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"
 
@@ -184,9 +183,9 @@ int render(const Arguments& arguments) {
     given.drawing.isStopped = isInterrupted;
     given.drawing.unit = problem.unit;
     ElapsedLine elapsed("rendering");
-    const Mesh part = loadPart(problem, guardedLoadMesh);
-    const Mesh environment = shownEnvironment(problem);
-    const Scene scene = given.trees.load(problem);
+    ProblemScenes scenes(problem, given.trees);
+    const Mesh environment = shownEnvironment(problem, scenes.meshes().worlds);
+    const Scene scene = scenes.scene(problem);
     printWarnings(problem.warnings);
     const SceneClearance clearance(scene);
     const report::PathLine line(states, scene.part.radiusAboutOrigin());
@@ -194,12 +193,12 @@ int render(const Arguments& arguments) {
                          ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
                          : std::vector<render::PosedPart>{};
     if (!isInterrupted()) {
-        const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scene, states);
+        const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scenes.meshes(), scene, states);
         printOverlaps(overlaps);
         facts()["overlaps"] = toJson(overlaps);
         for (const FoundOverlap& found : overlaps) given.drawing.marks.push_back(found.deepest.point);
     }
-    const FilmScene shown{part, environment, line, clearance, way, elapsed};
+    const FilmScene shown{scenes.meshes().part, environment, line, clearance, way, elapsed};
     const bool hasPicture = given.out.empty() || writePicture(given, scene.part, shown);
     const bool hasFilm = !given.film.isWanted() || writeFilm(given.film, shown, given.drawing);
     return hasPicture && hasFilm ? kDone : kAnswerIsNo;

@@ -38,9 +38,12 @@ Problem readJudged(const std::string& file) {
     return problem;
 }
 
-SceneLoading guardedLoading() {
+SceneMeshes guardedLoadMeshes(const Problem& problem) {
+    return loadMeshes(problem, guardedLoadMesh);
+}
+
+SceneLoading interruptibleLoading() {
     SceneLoading loading;
-    loading.read = guardedLoadMesh;
     loading.shrink = [](const Mesh& part, ShrinkOptions options) {
         const ElapsedLine elapsed("shrinking the part by " + shownLength(options.overlap));
         options.isStopped = isInterrupted;
@@ -89,20 +92,49 @@ Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
     return cached.model;
 }
 
-LoadedScene TreeChoice::loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const {
-    SceneLoading loading = guardedLoading();
-    loading.build = [&](const Mesh& mesh, const BuildOptions& others,
-                        const std::optional<QueryRange>& range) { return build(mesh, others, range); };
+ProblemScenes::ProblemScenes(const Problem& problem, TreeChoice trees)
+    : trees_(std::move(trees)), meshes_(guardedLoadMeshes(problem)) {}
+
+LoadedScene ProblemScenes::sceneWithNotes(const Problem& problem, const planning::PlanOptions& plan) {
+    SceneLoading loading = interruptibleLoading();
     loading.range = [&](const Model& part, const Box& environmentBox) {
         return planning::planningRange(problem, plan, part, environmentBox);
     };
-    return loadScene(problem, options, loading);
+    return load(problem, std::move(loading));
 }
 
-Scene TreeChoice::load(const Problem& problem, const planning::PlanOptions& plan) const {
-    const LoadedScene loaded = loadWithNotes(problem, plan);
+Scene ProblemScenes::scene(const Problem& problem, const planning::PlanOptions& plan) {
+    LoadedScene loaded = sceneWithNotes(problem, plan);
     printWarnings(loaded.notes);
-    return loaded.scene;
+    return std::move(loaded.scene);
+}
+
+Scene ProblemScenes::wholeScene(const Problem& problem) {
+    return load(problem, interruptibleLoading()).scene;
+}
+
+Model ProblemScenes::modelOf(const Mesh& mesh, const std::optional<QueryRange>& range) const {
+    return modelOf(mesh, trees_.options, range);
+}
+
+Model ProblemScenes::modelOf(const Mesh& mesh, const BuildOptions& options,
+                             const std::optional<QueryRange>& range) const {
+    if (last_.empty()) return trees_.build(mesh, options, range);
+    const auto known = last_.find(modelKey(mesh, options, range));
+    return known != last_.end() ? known->second : trees_.build(mesh, options, range);
+}
+
+LoadedScene ProblemScenes::load(const Problem& problem, SceneLoading loading) {
+    std::map<std::uint64_t, Model> models;
+    loading.build = [&](const Mesh& mesh, const BuildOptions& options,
+                        const std::optional<QueryRange>& range) {
+        const Model model = modelOf(mesh, options, range);
+        models.emplace(model.key(), model);
+        return model;
+    };
+    LoadedScene loaded = buildScene(problem, meshes_, trees_.options, loading);
+    last_ = std::move(models);
+    return loaded;
 }
 
 void addTreeOptions(CommandLine& commandLine, BuildOptions& options) {

@@ -2,6 +2,8 @@
 // trees, the files to write.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +20,12 @@ namespace clearway::cli {
 /// planning::unknownNames do.
 Problem readJudged(const std::string& file);
 
-/// How the program loads scenes: behind the load guard, with a line that counts the seconds of shrinking, which Ctrl-C stops
-/// where heedInterrupts() was called: loadScene then throws ShrinkStopped.
-SceneLoading guardedLoading();
+/// Calls loadMeshes behind the load guard.
+SceneMeshes guardedLoadMeshes(const Problem& problem);
+
+/// How the program makes scenes: a line counts the seconds of shrinking, which Ctrl-C stops where heedInterrupts() was called:
+/// loadScene then throws ShrinkStopped.
+SceneLoading interruptibleLoading();
 
 /// The problem file, and the margin that replaces the file's.
 struct ProblemChoice {
@@ -51,13 +56,38 @@ struct TreeChoice {
 
     /// The model with other options, and for a range.
     Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<QueryRange>& range) const;
+};
 
-    /// Calls loadScene with the load guard, the cache, and a range that suffices for planning with these
+/// The meshes of a problem, each file read once, and scenes of them. A scene takes over the models that it shares with the scene
+/// made before it.
+class ProblemScenes {
+  public:
+    /// Reads the problem's files, behind the load guard.
+    ProblemScenes(const Problem& problem, TreeChoice trees);
+
+    const SceneMeshes& meshes() const { return meshes_; }
+
+    /// Makes the scene of the problem, or of one that differs in its rules, with a range that suffices for planning with these
     /// options.
-    LoadedScene loadWithNotes(const Problem& problem, const planning::PlanOptions& plan) const;
+    LoadedScene sceneWithNotes(const Problem& problem, const planning::PlanOptions& plan = {});
 
     /// The scene alone. Prints its notes as warnings.
-    Scene load(const Problem& problem, const planning::PlanOptions& plan = {}) const;
+    Scene scene(const Problem& problem, const planning::PlanOptions& plan = {});
+
+    /// The scene of all of the meshes, however far from the part they are.
+    Scene wholeScene(const Problem& problem);
+
+    /// The model of a mesh, taken from the last scene if it is there.
+    Model modelOf(const Mesh& mesh, const std::optional<QueryRange>& range) const;
+
+  private:
+    LoadedScene load(const Problem& problem, SceneLoading loading);
+    Model modelOf(const Mesh& mesh, const BuildOptions& options,
+                  const std::optional<QueryRange>& range) const;
+
+    TreeChoice trees_;
+    SceneMeshes meshes_;
+    std::map<std::uint64_t, Model> last_;  ///< the last scene's models by their keys
 };
 
 /// Declares --preset, --general-split, --leaf-split, --fit, --leaf-size and --node-width.

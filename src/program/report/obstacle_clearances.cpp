@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/parallel.h"
 #include "mesh/components.h"
 #include "problem/outside.h"
 
@@ -113,7 +114,10 @@ std::vector<ObstacleClearance> obstacleClearances(const Scene& scene, const Mesh
     std::stable_sort(nearestFirst.begin(), nearestFirst.end(),
                      [&](std::size_t a, std::size_t b) { return answers[a].lower < answers[b].lower; });
     nearestFirst.resize(std::min(most, nearestFirst.size()));
-    for (const std::size_t i : nearestFirst) measuring.measure(i, components[i], answers[i]);
+    forEachInParallel(nearestFirst.size(), [&](std::size_t k) {
+        const std::size_t i = nearestFirst[k];
+        measuring.measure(i, components[i], answers[i]);
+    });
     for (std::size_t i = 0; i < answers.size(); ++i) {
         if (!answers[i].isInScene) continue;
         answers[i].isLeftOutAtStart = measuring.obstacleOf(components[i])->isIgnoredAtStart;

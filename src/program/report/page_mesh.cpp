@@ -16,19 +16,39 @@ namespace {
 
 constexpr double kSteps = 65535;  ///< steps of a coordinate along the box
 
-/// The representative of each vertex: the first vertex in its cell.
-std::vector<std::uint32_t> representatives(const std::vector<Vector3>& vertices, const Box& box,
-                                           double cell) {
-    std::unordered_map<std::uint64_t, std::uint32_t> first;
-    std::vector<std::uint32_t> result;
-    result.reserve(vertices.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+/// So many times as many triangles as may stay are too many, although some of them become one.
+constexpr std::size_t kSurelyTooMany = 2;
+
+/// The cell of each vertex, as a number.
+std::vector<std::uint64_t> cellsOf(const std::vector<Vector3>& vertices, const Box& box, double cell) {
+    std::vector<std::uint64_t> cells;
+    cells.reserve(vertices.size());
+    for (const Vector3& vertex : vertices) {
         std::uint64_t key = 0;  // 21 bits for each axis; no grid is finer
         for (int axis = 0; axis < 3; ++axis)
-            key = key << 21 | static_cast<std::uint64_t>((vertices[i][axis] - box.min()[axis]) / cell);
-        result.push_back(first.try_emplace(key, i).first->second);
+            key = key << 21 | static_cast<std::uint64_t>((vertex[axis] - box.min()[axis]) / cell);
+        cells.push_back(key);
     }
+    return cells;
+}
+
+/// The representative of each vertex: the first vertex in its cell.
+std::vector<std::uint32_t> representatives(const std::vector<std::uint64_t>& cells) {
+    std::unordered_map<std::uint64_t, std::uint32_t> first;
+    std::vector<std::uint32_t> result;
+    result.reserve(cells.size());
+    for (std::uint32_t i = 0; i < cells.size(); ++i)
+        result.push_back(first.try_emplace(cells[i], i).first->second);
     return result;
+}
+
+/// The triangles whose corners are in three different cells: as many as thinning leaves, or more.
+std::size_t countSpread(const std::vector<OwnedTriangle>& all, const std::vector<std::uint64_t>& cells) {
+    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const OwnedTriangle& owned) {
+        const TriangleIndices& triangle = owned.second;
+        const std::uint64_t a = cells[triangle[0]], b = cells[triangle[1]], c = cells[triangle[2]];
+        return a != b && b != c && c != a;
+    }));
 }
 
 /// The triangles between three different representatives, without duplicates in a component, in the order of the
@@ -70,10 +90,13 @@ double cellFor(const std::vector<Vector3>& vertices, const std::vector<OwnedTria
     const double diagonal = box.diagonal().norm();
     double coarse = 8, fine = 65536;
     while (fine / coarse > 1.05) {
-        const double cells = std::sqrt(coarse * fine);
-        (thinned(all, representatives(vertices, box, diagonal / cells)).size() > mostTriangles ? fine
-                                                                                               : coarse) =
-            cells;
+        const double along = std::sqrt(coarse * fine);
+        const std::vector<std::uint64_t> cells = cellsOf(vertices, box, diagonal / along);
+        const std::size_t spread = countSpread(all, cells);
+        const bool isTooMany =
+            spread > kSurelyTooMany * mostTriangles ||
+            (spread > mostTriangles && thinned(all, representatives(cells)).size() > mostTriangles);
+        (isTooMany ? fine : coarse) = along;
     }
     return diagonal / coarse;
 }
@@ -123,7 +146,7 @@ PageMesh pageMeshOf(const Mesh& mesh, const PageMeshLimits& most) {
     std::vector<OwnedEdge> edges = featureEdges(welded.vertices, triangles);
     if (triangles.size() > most.triangles) {
         const double cell = cellFor(welded.vertices, triangles, page.box, most.triangles);
-        const std::vector<std::uint32_t> standIns = representatives(welded.vertices, page.box, cell);
+        const std::vector<std::uint32_t> standIns = representatives(cellsOf(welded.vertices, page.box, cell));
         triangles = thinned(triangles, standIns);
         edges = thinned(edges, standIns);
         page.error = cell * std::sqrt(3.0);

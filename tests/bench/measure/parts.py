@@ -6,6 +6,7 @@ A part PART writes PART.csv. A row of it, PART/ROW, is measured by itself; one r
 from dataclasses import dataclass, field
 from typing import Callable
 
+import from_files
 import scene_rows
 
 FORMS = ("ci", "quick", "full")
@@ -222,6 +223,9 @@ PARTS = (
     Part("loading", "mesh files of 1.7 million triangles read by clearway and by assimp", rows=("stl", "obj", "glb", "ply"),
          quick_rows=("stl", "obj", "glb"), ci_rows=("stl", "obj", "glb", "ply"), commands=loading, group=("format",),
          keys=("format", "reader"), shown=("seconds", "megabytes")),
+    Part("from_files", "whole processes, from files to a path and to the first answer, beside others'", rows=from_files.ROWS,
+         quick_rows=("tunnel-console-small",), ci_rows=("tunnel-console-small",), commands=lambda place, row: [], table=from_files.table,
+         group=("scene",), keys=("scene", "what"), shown=("seconds", "found", "free")),
     Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),

@@ -152,6 +152,43 @@ BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
     }
 }
 
+// Motions from state to state, as a planner's trees make them, asked of a checker that remembers free states and of new ones.
+BOOST_AUTO_TEST_CASE(what_is_remembered_of_free_states_changes_no_verdict) {
+    const Mesh obstacle =
+        named(joined(joined(box({20, 20, 20}), reversed(box({15, 15, 15}))), box({6, 1, 9})), "tank");
+    const Scene scene = solidScene(joined(box({1, 2, 3}), translated(sphere(2, 6), {6, 0, 0})), obstacle);
+    const PartInSpace remembering(scene);
+    Random random(62);
+    const auto anyState = [&](double within) {
+        PartState state;
+        for (int axis = 0; axis < 3; ++axis) state.position[axis] = random.uniform(-within, within);
+        state.rotation = Eigen::Quaterniond(random.rotation());
+        return state;
+    };
+    int valid = 0, invalid = 0, inSolid = 0;
+    PartState from = anyState(10);
+    for (int i = 0; i < inForm(4000, 400); ++i) {
+        const PartState to = anyState(i % 3 == 0 ? 40 : 14);
+        const auto s1 = remembering.at(from), s2 = remembering.at(to);
+        const PartInSpace fresh(scene);
+        std::pair<ob::State*, double> lastValid(nullptr, 0);
+        const bool isFreeStart = fresh.checker->isValid(s1.get());
+        const bool isValid = PartInSpace(scene).validator->checkMotion(s1.get(), s2.get());
+        BOOST_TEST_CONTEXT("seed 62, motion " << i) {
+            BOOST_TEST(remembering.validator->checkMotion(s1.get(), s2.get()) == isValid);
+            BOOST_TEST(remembering.validator->checkMotion(s1.get(), s2.get(), lastValid) == isValid);
+            BOOST_TEST(remembering.checker->isValid(s2.get()) == fresh.checker->isValid(s2.get()));
+            BOOST_TEST((!isValid || isFreeStart));
+        }
+        (isValid ? valid : invalid) += 1;
+        inSolid += fresh.checker->whyInvalid(s2.get()).kind == WhyInvalid::Kind::kInSolid;
+        if (isValid || i % 10 == 0) from = to;
+    }
+    BOOST_TEST(valid > inForm(4000, 400) / 20);
+    BOOST_TEST(invalid > inForm(4000, 400) / 20);
+    BOOST_TEST(inSolid > inForm(4000, 400) / 50);
+}
+
 // The peg starts half inside the block, which its contact zone allows, and moves on until it is all inside.
 BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid) {
     const Mesh part = named(box({1, 1, 1}), "peg"), block = named(box({10, 10, 10}), "block");

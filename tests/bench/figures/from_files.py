@@ -1,0 +1,35 @@
+"""Tables of from_files.csv: whole processes, from files to a path and to the first answer."""
+
+from results import distinct, matching, seconds, table
+
+PATHS = ("plan", "plan --quick", "RRTConnect with FCL")
+
+
+def cell(rows, what):
+    of = matching(rows, what=what)
+    if not of:
+        return ""
+    row = of[0]
+    free = "" if row["free"] in ("", row["runs"]) else f", {row['free']} of {row['runs']} free"
+    return f"{seconds(row['seconds'])} s{free}"
+
+
+def paths(results):
+    rows = results.rows("from_files")
+    return table(["files to a path"] + [f"`{name}`" if name.startswith("plan") else name for name in PATHS],
+                 [[scene] + [cell(matching(rows, scene=scene), name) for name in PATHS] for scene in distinct(rows, "scene")])
+
+
+def answers(results):
+    rows = [row for row in results.rows("from_files") if row["what"].startswith("first answer, ")]
+    names = [what.removeprefix("first answer, ") for what in distinct(rows, "what")]
+    return table(["files to the first answer"] + names,
+                 [[scene] + [cell(matching(rows, scene=scene), f"first answer, {name}") for name in names] for scene in distinct(rows, "scene")])
+
+
+def readme(results, scene="tunnel-console-3"):
+    """One row."""
+    rows = results.select("from_files", scene=scene)
+    return table(["from two files to a path, whole process"] + ["`clearway plan`, certified and widened", "`clearway plan --quick`, certified",
+                                                                 "OMPL's RRTConnect with FCL, checked in steps"],
+                 [[scene] + [cell(rows, name) for name in PATHS]])
