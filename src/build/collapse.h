@@ -48,7 +48,7 @@ class Collapse {
 
     const BinaryTree& tree_;
     const int lanes_;
-    std::vector<Choice> choices_;  ///< by node
+    LargeVector<Choice> choices_;  ///< by node
 };
 
 }  // namespace clearway

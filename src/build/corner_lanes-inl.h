@@ -36,7 +36,7 @@ class CornerLanes {
                 const float* origin) {
         resize(count);
         for (int corner = 0; corner < 3; ++corner) {
-            const Corner* source = triangles.corner[std::size_t(corner)].get() + first;
+            const Corner* source = triangles.corner[std::size_t(corner)].data() + first;
             const std::size_t done = stride == 1 ? gatherVectors(source, corner, origin) : 0;
             for (std::size_t i = done; i < count; ++i) put(corner, i, source[i * stride].at, origin);
         }

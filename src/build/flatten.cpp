@@ -111,8 +111,8 @@ WideTree numberNodes(const BinaryTree& binary, int nodeWidth) {
 
 /// Nodes with children, but without volumes; children that are leaves are still kNoChild.
 template <int kWidth>
-std::vector<WideNode<kWidth>> nodesOf(const WideTree& wide) {
-    std::vector<WideNode<kWidth>> nodes(wide.nodes.size());
+LargeVector<WideNode<kWidth>> nodesOf(const WideTree& wide) {
+    LargeVector<WideNode<kWidth>> nodes(wide.nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (int lane = 0; lane < kWidth; ++lane) {
             const bool isInner = lane < wide.nodes[i].count && wide.nodes[i].child[std::size_t(lane)] >= 0;
@@ -145,7 +145,7 @@ FlatTree flatten(const BinaryTree& binary, const CleanMesh& mesh, int nodeWidth,
     const LeafOrder order(mesh, binary.order);
     withNodeWidth(nodeWidth, [&](auto width) {
         const WideTree wide = numberNodes(binary, width);
-        std::vector<WideNode<width>>& nodes = flat.nodes<width>();
+        LargeVector<WideNode<width>>& nodes = flat.nodes<width>();
         nodes = nodesOf<width>(wide);
         fitVolumes(wide.nodes, binary, order, flat, frames,
                    [&](std::size_t node, int lane, const FloatRss& volume) {

@@ -15,7 +15,7 @@ constexpr std::size_t kFewEarlier = 24;
 
 LeafOrder::LeafOrder(const CleanMesh& mesh, const std::vector<std::uint32_t>& order) {
     FirstUseOrder numberOf(mesh.vertices.size());
-    for (std::vector<double>& coordinates : vertices_) coordinates.reserve(mesh.vertices.size());
+    for (LargeVector<double>& coordinates : vertices_) coordinates.reserve(mesh.vertices.size());
     triangles_.reserve(order.size());
     verticesBefore_.reserve(order.size() + 1);
     for (const std::uint32_t triangle : order) {

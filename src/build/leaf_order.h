@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "build/scratch_array.h"
+#include "core/large_vector.h"
 #include "mesh/clean.h"
 #include "tree/binary_tree.h"
 
@@ -33,7 +34,7 @@ class LeafOrder {
     const std::vector<TriangleIndices>& triangles() const { return triangles_; }
 
   private:
-    std::array<std::vector<double>, 3> vertices_;
+    std::array<LargeVector<double>, 3> vertices_;
     std::vector<TriangleIndices> triangles_;
     std::vector<std::uint32_t> verticesBefore_;  ///< for each triangle, the number of vertices used before it
 };

@@ -155,6 +155,7 @@ class Reinsertion {
     };
 
     void makeUpperNodes() {
+        nodes_.reserve(1 + tree_.nodes.size() / 2);
         nodes_.emplace_back();
         std::vector<std::int32_t> pending{0};  // depth first, so that neighbours lie together
         while (!pending.empty()) {
@@ -303,7 +304,7 @@ class Reinsertion {
     const BinaryTree& tree_;
     const CleanMesh& mesh_;
     const Normalisation normalised_;
-    std::vector<Node>
+    LargeVector<Node>
         nodes_;  ///< the root and all nodes above subtrees that are not looked into, and those; parents first
     std::vector<std::uint64_t> contents_;  ///< as Node::content, for the nodes' new places
     std::int32_t root_ = 0;

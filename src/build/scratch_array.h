@@ -5,6 +5,8 @@
 #include <memory>
 #include <type_traits>
 
+#include "core/large_vector.h"
+
 namespace clearway {
 
 /// An array without initial values, reused from use to use. Growing forgets the values.
@@ -15,19 +17,24 @@ class ScratchArray {
   public:
     /// Room for at least this many.
     T* withRoomFor(std::size_t count) {
-        if (count > capacity_) {
-            capacity_ = count + count / 2;
-            values_.reset(new T[capacity_]);
+        if (count > values_.get_deleter().capacity) {
+            const std::size_t capacity = count + count / 2;
+            values_ = {LargePages<T>().allocate(capacity), Deallocate{capacity}};
         }
         return values_.get();
     }
 
     T* data() { return values_.get(); }
     const T* data() const { return values_.get(); }
+    T& operator[](std::size_t i) { return values_[i]; }
+    const T& operator[](std::size_t i) const { return values_[i]; }
 
   private:
-    std::unique_ptr<T[]> values_;
-    std::size_t capacity_ = 0;
+    struct Deallocate {
+        std::size_t capacity = 0;
+        void operator()(T* values) const { LargePages<T>().deallocate(values, capacity); }
+    };
+    std::unique_ptr<T[], Deallocate> values_;
 };
 
 }  // namespace clearway

@@ -35,7 +35,7 @@ class CostSplit {
             if (tree_.nodes[i].isLeaf()) leaves.push_back(i);
         }
         constexpr std::size_t kLeavesAtATime = 64 * kLaneBlock;
-        std::vector<std::vector<BinaryNode>> below((leaves.size() + kLeavesAtATime - 1) / kLeavesAtATime);
+        std::vector<LargeVector<BinaryNode>> below((leaves.size() + kLeavesAtATime - 1) / kLeavesAtATime);
         const auto endOf = [&](std::size_t task) {
             return std::min(leaves.size(), (task + 1) * kLeavesAtATime);
         };
@@ -74,7 +74,7 @@ class CostSplit {
 
     /// below: gets the new nodes, whose children are indices into it.
     void split(const std::size_t* leaves, std::size_t count, PartCosts& costs,
-               std::vector<BinaryNode>& below) {
+               LargeVector<BinaryNode>& below) {
         for (std::size_t lane = 0; lane < kLaneBlock; ++lane)
             gather(tree_.nodes[leaves[lane < count ? lane : 0]], lane, costs);
         costs.rate();
@@ -118,7 +118,7 @@ class CostSplit {
     }
 
     /// Makes a node of a part, and nodes of those that it is divided into.
-    void place(BinaryNode& node, Part part, const Group& group, std::vector<BinaryNode>& below) {
+    void place(BinaryNode& node, Part part, const Group& group, LargeVector<BinaryNode>& below) {
         const float unit = group.costs.unit(group.lane);
         node.costAsLeaf = kCostOfLeaves * group.costs.cost(part, group.lane) * unit + costOfOneMore_;
         const Part left = group.left[part];

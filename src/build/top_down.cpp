@@ -30,7 +30,7 @@ class TopDownSplit {
         return leftCount == 0 || leftCount == run.size() ? splitInHalves(mesh_, run) : leftCount;
     }
 
-    void splitAllBelow(std::vector<BinaryNode>& nodes, int rootDepth) const {
+    void splitAllBelow(LargeVector<BinaryNode>& nodes, int rootDepth) const {
         struct Pending {
             std::size_t node;
             int depth;
@@ -58,7 +58,7 @@ std::size_t countNodes(const SubtreeNodes& part) {
 }
 
 /// Appends a subtree's nodes, then those of its children.
-void append(const SubtreeNodes& part, std::vector<BinaryNode>& nodes) {
+void append(const SubtreeNodes& part, LargeVector<BinaryNode>& nodes) {
     const std::size_t root = nodes.size();
     const std::int32_t shift = static_cast<std::int32_t>(root);
     nodes.insert(nodes.end(), part.nodes.begin(), part.nodes.end());
@@ -116,7 +116,7 @@ std::size_t splitInHalves(const CleanMesh& mesh, TriangleRun run) {
     return run.size() / 2;
 }
 
-std::size_t addChildren(std::vector<BinaryNode>& nodes, std::size_t node, std::size_t leftCount) {
+std::size_t addChildren(LargeVector<BinaryNode>& nodes, std::size_t node, std::size_t leftCount) {
     const std::size_t left = nodes.size();
     BinaryNode child;
     child.firstTriangle = nodes[node].firstTriangle;

@@ -60,11 +60,11 @@ constexpr std::uint32_t kTaskTriangles = 8192;
 
 /// Makes a node's two children, the left one over its first leftCount triangles, and returns the left one's index; the right
 /// one's is the next. They get the node's frame.
-std::size_t addChildren(std::vector<BinaryNode>& nodes, std::size_t node, std::size_t leftCount);
+std::size_t addChildren(LargeVector<BinaryNode>& nodes, std::size_t node, std::size_t leftCount);
 
 /// The result of one task: a subtree, or a large node alone with the results of its children.
 struct SubtreeNodes {
-    std::vector<BinaryNode> nodes;  ///< children as indices into these
+    LargeVector<BinaryNode> nodes;  ///< children as indices into these
     std::unique_ptr<SubtreeNodes> left, right;
 };
 
@@ -85,7 +85,7 @@ std::unique_ptr<SubtreeNodes> buildSubtree(const BinaryNode& root, int depth, st
         }
         leftCount = split.leftCountOf(part->nodes.front(), depth);
     }
-    std::vector<BinaryNode> family = part->nodes;
+    LargeVector<BinaryNode> family = part->nodes;
     addChildren(family, 0, leftCount);
     invokeBoth([&] { part->left = buildSubtree(family[1], depth + 1, largestGroup, makeSplit); },
                [&] { part->right = buildSubtree(family[2], depth + 1, largestGroup, makeSplit); });

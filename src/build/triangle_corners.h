@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 
+#include "build/scratch_array.h"
 #include "mesh/clean.h"
 #include "tree/flat_tree.h"
 #include "tree/normalisation.h"
@@ -18,10 +18,10 @@ struct alignas(16) Corner {
 };
 
 struct TriangleCorners {
-    std::array<std::unique_ptr<Corner[]>, 3> corner;
+    std::array<ScratchArray<Corner>, 3> corner;
 
     explicit TriangleCorners(std::size_t triangles) {
-        for (std::unique_ptr<Corner[]>& corners : corner) corners.reset(new Corner[triangles]);
+        for (ScratchArray<Corner>& corners : corner) corners.withRoomFor(triangles);
     }
 
     std::uint32_t triangle(std::size_t i) const { return wholeNumberIn(corner[0][i].at[3]); }

@@ -28,10 +28,10 @@ class ArchiveWriter {
         add(std::uint64_t(text.size()));
         addBytes(text.data(), text.size());
     }
-    template <class T>
-    void addArray(const std::vector<T>& values) {
+    template <class Vector>
+    void addArray(const Vector& values) {
         add(std::uint64_t(values.size()));
-        addBytes(values.data(), values.size() * sizeof(T));
+        addBytes(values.data(), values.size() * sizeof(values[0]));
     }
     const std::string& bytes() const { return bytes_; }
 
@@ -61,10 +61,10 @@ class ArchiveReader {
         readBytes(text.data(), text.size());
         return text;
     }
-    template <class T>
-    void readArray(std::vector<T>& values) {
-        values.resize(readCount(sizeof(T)));
-        readBytes(values.data(), values.size() * sizeof(T));
+    template <class Vector>
+    void readArray(Vector& values) {
+        values.resize(readCount(sizeof(values[0])));
+        readBytes(values.data(), values.size() * sizeof(values[0]));
     }
     /// Reads a count and checks that the rest can hold that many items of at least bytesEach bytes.
     std::size_t readCount(std::size_t bytesEach) {

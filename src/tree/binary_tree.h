@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/large_vector.h"
+
 namespace clearway {
 
 /// Three orthonormal axes, one after the other.
@@ -32,7 +34,7 @@ struct BinaryNode {
 };
 
 struct BinaryTree {
-    std::vector<BinaryNode> nodes;     ///< [0] is the root; children come after their parent
+    LargeVector<BinaryNode> nodes;     ///< [0] is the root; children come after their parent
     std::vector<std::uint32_t> order;  ///< positions of the triangles in the mesh, leaf after leaf
 };
 

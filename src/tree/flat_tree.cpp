@@ -14,13 +14,13 @@
 namespace clearway {
 namespace {
 
-template <class Value>
-std::size_t bytesOf(const std::vector<Value>& values) {
-    return values.size() * sizeof(Value);
+template <class Values>
+std::size_t bytesOf(const Values& values) {
+    return values.size() * sizeof(values[0]);
 }
 
 template <int kWidth>
-void countNodes(const std::vector<WideNode<kWidth>>& nodes, TreeStatistics& counted) {
+void countNodes(const LargeVector<WideNode<kWidth>>& nodes, TreeStatistics& counted) {
     std::vector<int> depths(nodes.size(), 1);  // children come after their parent
     std::size_t children = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -55,7 +55,7 @@ constexpr std::size_t kTriangleIdsEnd = std::size_t(1) << 30;
 /// Children must come after their parent, so that every path downwards ends, and have only one parent: shared children would
 /// make a search exponential. isLeaf: by place in the tree's leafBlocks, whether a leaf's block begins there.
 template <int kWidth>
-std::string faultOfNodes(const std::vector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
+std::string faultOfNodes(const LargeVector<WideNode<kWidth>>& nodes, const std::vector<bool>& isLeaf) {
     std::vector<bool> isLeafReached(isLeaf.size());
     std::vector<int> depths(nodes.size());  // 0: no earlier node has this child
     if (!nodes.empty()) depths[0] = 1;

@@ -21,6 +21,7 @@
 
 #include "clearway/build_options.h"
 #include "clearway/types.h"
+#include "core/large_vector.h"
 
 namespace clearway {
 
@@ -70,7 +71,7 @@ struct alignas(kWidth * 4) WideNode {
 static_assert(sizeof(WideNode<8>) == 8 * 56 && sizeof(WideNode<2>) == 2 * 56);
 
 template <int... kWidths>
-std::tuple<std::vector<WideNode<kWidths>>...> wideNodesOf(std::integer_sequence<int, kWidths...>);
+std::tuple<LargeVector<WideNode<kWidths>>...> wideNodesOf(std::integer_sequence<int, kWidths...>);
 
 /// One array of nodes for each width.
 using WideNodesByWidth = decltype(wideNodesOf(NodeWidths()));
@@ -143,18 +144,18 @@ struct FlatTree {
     float radius = 0;  ///< of the vertices about the origin, tree units, rounded up; <= 1
 
     WideNodesByWidth nodesByWidth;     ///< only the array of nodeWidth has nodes
-    std::vector<float> leafBlocks;     ///< one after the other; kLeafPadding zeros follow
+    LargeVector<float> leafBlocks;     ///< one after the other; kLeafPadding zeros follow
     std::vector<Vector3> vertices;     ///< those of leaves that are not exact; mesh coordinates
     Box box;                           ///< of the mesh, including triangles left out of the tree
     double radiusAboutMeshOrigin = 0;  ///< largest |vertex|, rounded up
 
     template <int kWidth>
-    const std::vector<WideNode<kWidth>>& nodes() const {
-        return std::get<std::vector<WideNode<kWidth>>>(nodesByWidth);
+    const LargeVector<WideNode<kWidth>>& nodes() const {
+        return std::get<LargeVector<WideNode<kWidth>>>(nodesByWidth);
     }
     template <int kWidth>
-    std::vector<WideNode<kWidth>>& nodes() {
-        return std::get<std::vector<WideNode<kWidth>>>(nodesByWidth);
+    LargeVector<WideNode<kWidth>>& nodes() {
+        return std::get<LargeVector<WideNode<kWidth>>>(nodesByWidth);
     }
 
     Leaf leaf(LeafReference at) const {

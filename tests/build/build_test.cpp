@@ -61,10 +61,10 @@ BOOST_DATA_TEST_CASE(degenerate_meshes_build, eachGeneralSplit* eachLeafSplit* e
     }
 }
 
-template <class Value>
-bool sameBytes(const std::vector<Value>& a, const std::vector<Value>& b) {
+template <class Values>
+bool sameBytes(const Values& a, const Values& b) {
     return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 void checkSameTree(const FlatTree& first, const FlatTree& second) {

@@ -43,7 +43,7 @@ class TreeChecker {
     TreeChecker(const FlatTree& tree, const CleanMesh& mesh) : tree_(tree), mesh_(mesh) {}
 
     void check() {
-        const std::vector<WideNode<kWidth>>& nodes = tree_.nodes<kWidth>();
+        const LargeVector<WideNode<kWidth>>& nodes = tree_.nodes<kWidth>();
         nodeSeen_.assign(nodes.size(), 0);
         leafSeen_.assign(tree_.leafBlocks.size(), 0);
         nodeSeen_[0] = 1;

@@ -64,7 +64,7 @@ class SahSplit {
         return checked(node, depth, left);
     }
 
-    void splitAllBelow(std::vector<BinaryNode>& nodes, int rootDepth) {
+    void splitAllBelow(LargeVector<BinaryNode>& nodes, int rootDepth) {
         nodes.reserve(nodes.front().triangleCount + std::size_t(1));
         push({0, rootDepth}, nodes);
         while (!waitingLarge_.empty() || !waitingSmall_.empty()) {
@@ -94,7 +94,7 @@ class SahSplit {
         return cutSmall(node, small_[0], frames_.axes(0));
     }
 
-    void push(const Pending& next, const std::vector<BinaryNode>& nodes) {
+    void push(const Pending& next, const LargeVector<BinaryNode>& nodes) {
         const std::size_t count = nodes[next.node].triangleCount;
         if (count <= largestGroup_) return;
         (count <= kMostInSmall ? waitingSmall_ : waitingLarge_).push_back(next);
@@ -115,7 +115,7 @@ class SahSplit {
         for (std::size_t i = first; i < first + node.triangleCount; ++i) order_[i] = triangles_.triangle(i);
     }
 
-    void divide(std::vector<BinaryNode>& nodes, const Pending& parent, std::size_t left) {
+    void divide(LargeVector<BinaryNode>& nodes, const Pending& parent, std::size_t left) {
         left = checked(nodes[parent.node], parent.depth, left);
         const std::size_t child = addChildren(nodes, parent.node, left);
         push({child + 1, parent.depth + 1}, nodes);
@@ -123,7 +123,7 @@ class SahSplit {
     }
 
     /// Splits as many small nodes as there are lanes for their covariances.
-    void splitSmall(std::vector<BinaryNode>& nodes) {
+    void splitSmall(LargeVector<BinaryNode>& nodes) {
         const std::size_t count = std::min(waitingSmall_.size(), kLaneBlock);
         const std::size_t first = waitingSmall_.size() - count;
         batch_.assign(waitingSmall_.rbegin(), waitingSmall_.rbegin() + std::ptrdiff_t(count));
@@ -279,8 +279,8 @@ class SahSplit {
         if (count > kLeastToShare) return partitionInParts(node, isLeft);
         std::size_t left = 0;
         Corner* right = right_.withRoomFor(count);
-        for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
-            Corner* run = corners.get() + node.firstTriangle;
+        for (ScratchArray<Corner>& corners : triangles_.corner) {
+            Corner* run = corners.data() + node.firstTriangle;
             left = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 // Without branches: each corner is copied to both sides.
@@ -307,8 +307,8 @@ class SahSplit {
         std::partial_sum(leftBefore.begin(), leftBefore.end(), leftBefore.begin());
         const std::size_t total = leftBefore.back();
         Corner* sorted = right_.withRoomFor(count);
-        for (const std::unique_ptr<Corner[]>& corners : triangles_.corner) {
-            Corner* run = corners.get() + node.firstTriangle;
+        for (ScratchArray<Corner>& corners : triangles_.corner) {
+            Corner* run = corners.data() + node.firstTriangle;
             share(count, [&](std::size_t first, std::size_t last) {
                 std::size_t left = leftBefore[first / size], right = total + first - left;
                 for (std::size_t i = first; i < last; ++i) sorted[isLeft(i) ? left++ : right++] = run[i];
