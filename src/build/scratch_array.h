@@ -17,7 +17,7 @@ class ScratchArray {
   public:
     /// Room for at least this many.
     T* withRoomFor(std::size_t count) {
-        if (count > values_.get_deleter().capacity) {
+        if (!values_ || count > values_.get_deleter().capacity) {
             const std::size_t capacity = count + count / 2;
             values_ = {LargePages<T>().allocate(capacity), Deallocate{capacity}};
         }

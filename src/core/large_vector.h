@@ -21,8 +21,9 @@ struct LargePages {
     LargePages(const LargePages<Other>&) {}
 
     T* allocate(std::size_t count) {
+        if (count > std::size_t(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
         const std::size_t bytes = count * sizeof(T);
-        if (bytes < kLeast) return static_cast<T*>(::operator new(bytes));
+        if (bytes < kLeast) return static_cast<T*>(::operator new(bytes, kAlignment));
         const std::size_t pages = (bytes + kPage - 1) / kPage * kPage;
         void* const memory = std::aligned_alloc(kPage, pages);
         if (!memory) throw std::bad_alloc();
@@ -33,7 +34,7 @@ struct LargePages {
     }
 
     void deallocate(T* memory, std::size_t count) {
-        if (count * sizeof(T) < kLeast) return ::operator delete(memory);
+        if (count * sizeof(T) < kLeast) return ::operator delete(memory, kAlignment);
         std::free(memory);
     }
 
@@ -46,6 +47,7 @@ struct LargePages {
 
   private:
     static constexpr std::size_t kPage = std::size_t(1) << 21, kLeast = 2 * kPage;
+    static constexpr std::align_val_t kAlignment{alignof(T)};
 };
 
 template <class T>

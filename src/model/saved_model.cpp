@@ -206,7 +206,7 @@ std::string readWhole(const std::string& file) {
     if (!in.is_open()) {
         throw FileError(file + ": cannot be read, expected a saved model");
     }
-    std::string bytes(static_cast<std::size_t>(in.tellg()), '\0');
+    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg())), '\0');
     in.seekg(0);
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(in.gcount()));

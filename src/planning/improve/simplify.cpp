@@ -128,6 +128,7 @@ class Simplifier {
 PathAudit simplify(og::PathGeometric& path, const MotionValidator& validator,
                    const SimplifyOptions& options) try {
     requireNotNegative("floor", options.floor);
+    if (options.kept) requireNotNegative("the clearance kept", *options.kept);
     std::optional<PathAudit> before;
     if (!options.kept || path.getStateCount() < 3) before = audit(path, validator);
     if (path.getStateCount() < 3 || (before && !before->isValid())) return *before;

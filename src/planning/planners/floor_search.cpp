@@ -192,8 +192,6 @@ void FloorSearch::run(const FloorSearchOptions& options, const std::function<boo
     options_ = options;
     isSpent_ = isSpent;
     isEnough_ = isEnough(best_);
-    gained_ = Clock::now();
-    gainedTo_ = best_.clearance;
     std::vector<std::future<void>> others;
     for (unsigned int i = 1; i < options.threads; ++i) {
         others.push_back(std::async(std::launch::async, [this] { work(); }));
@@ -214,7 +212,7 @@ bool FloorSearch::hasWidenedSeveral() const {
 
 double FloorSearch::secondsWithoutGain() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return secondsSince(gained_);
+    return ways_ == 0 ? 0 : secondsSince(gained_);
 }
 
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
@@ -306,12 +304,13 @@ void FloorSearch::widen(const Job& job) {
         const std::lock_guard<std::mutex> lock(mutex_);
         takeIfBetter({std::make_shared<og::PathGeometric>(path), kept}, gain_);
     };
-    double risenTo = job.path.clearance;
+    std::optional<double> risenTo;  // begins with what the states have, which is more than the motions keep
     options.onSweep = [&](double clearance) {
-        if (clearance <= (1 + kMuchGained) * risenTo) return;
-        risenTo = clearance;
+        const bool isGain = risenTo && clearance > (1 + kMuchGained) * *risenTo;
+        if (!risenTo || isGain) risenTo = clearance;
+        if (!isGain) return;
         const std::lock_guard<std::mutex> lock(mutex_);
-        gained_ = Clock::now();
+        if (clearance > best_.clearance) gained_ = Clock::now();
     };
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
@@ -328,6 +327,7 @@ void FloorSearch::widen(const Job& job) {
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter(widened, kFirstBandGain);
     ways_ += job.kind == Job::Kind::kWiden;
+    if (ways_ == 1) gained_ = Clock::now();
     if (job.isShortPath && (!shortPath_ || isBetterPath(widened, *shortPath_, radius())))
         shortPath_ = widened;
     if (gain_ == 0) gain_ = kFirstBandGain;

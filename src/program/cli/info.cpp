@@ -124,7 +124,7 @@ void describeEnd(const std::string& end, const SceneClearance& clearance, const 
            !why.isValid()         ? "NOT valid: " + why.words()
            : std::isinf(at.lower) ? "valid, with nothing near"
            : !at.nearest.witness
-               ? "valid, clearance " + shownLength(at.lower) + " or more"
+               ? "valid, clearance " + shownLength(at.lower) + " or more" + leftOutAt(at)
                : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
                              names.part, names.environment, leftOutAt(at)),
            "at_" + end,

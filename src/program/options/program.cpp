@@ -1,11 +1,6 @@
 #include "program/options/program.h"
 
-#include <malloc.h>
-#include <sys/mman.h>
-
-#include <climits>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -22,22 +17,6 @@
 namespace clearway::cli {
 
 namespace {
-
-/// Memory that is freed is kept for the next use, and comes in pages of 2 MB where the system has them. Meshes and trees are made
-/// in large vectors, one after the other: to get each page anew takes longer than to fill it, above all on virtual machines.
-void keepMemory() {
-#if defined(M_MMAP_MAX) && defined(MADV_HUGEPAGE)
-    constexpr std::size_t kReserved = std::size_t(1) << 30, kHugePage = std::size_t(1) << 21;
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, INT_MAX);
-    mallopt(M_TOP_PAD, 1 << 26);
-    void* const reserved = std::malloc(kReserved);  // addresses alone: nothing is written there
-    if (!reserved) return;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(reserved) + kHugePage - 1) & ~(kHugePage - 1);
-    madvise(reinterpret_cast<void*>(begin), kReserved - kHugePage, MADV_HUGEPAGE);
-    std::free(reserved);
-#endif
-}
 
 int printVersion(const char* name) {
     std::cout << name << " " CLEARWAY_VERSION "\n";
@@ -76,7 +55,6 @@ int guarded(const char* name, const std::function<int()>& run) {
 }  // namespace
 
 int runProgram(int argc, char** argv, const char* name, int (*run)(const Arguments& words)) {
-    keepMemory();
     // A closed pipe and a file that may not grow become errors to report, instead of ending the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -10,8 +10,9 @@ def cell(rows, what):
     if not of:
         return ""
     row = of[0]
-    free = "" if row["free"] in ("", row["runs"]) else f", {row['free']} of {row['runs']} free"
-    return f"{seconds(row['seconds'])} s{free}"
+    found = "" if row["found"] in ("", row["runs"]) else f", {row['found']} of {row['runs']} found"
+    free = "" if row["free"] in ("", row["found"]) else f", {row['free']} free"
+    return f"{seconds(row['seconds'])} s{found}{free}"
 
 
 def paths(results):

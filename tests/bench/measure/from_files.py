@@ -4,17 +4,24 @@ import statistics
 import subprocess
 import time
 
+from place import Refused
+
 ROWS = ("tunnel-console-3", "tunnel-console-small", "cembox-2", "large-environment-2", "puzzle")
 STEP = 0.14  # environment units, at which 19 of 20 paths through tunnel-console-small were free
 SEEDS = {"ci": 1, "quick": 2, "full": 5}
-LIMIT = {"ci": 2, "quick": 60, "full": 60}  # seconds of planning
+LIMIT = {"ci": 2, "quick": 20, "full": 20}  # seconds of planning
 COLUMNS = ["scene", "what", "runs", "found", "free", "seconds", "seconds_least", "seconds_largest", "answer"]
 
 
-def timed(command):
+def timed(command, codes=(0,)):
+    """Seconds of a whole process, and the process; throws Refused if it ends with another code."""
+    words = [str(word) for word in command]
     begin = time.perf_counter()
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-    return time.perf_counter() - begin, done
+    done = subprocess.run(words, capture_output=True, text=True)
+    seconds = time.perf_counter() - begin
+    if done.returncode not in codes:
+        raise Refused(f"'{' '.join(words)}' ends with {done.returncode}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return seconds, done
 
 
 def line(scene, what, times, **more):
@@ -36,10 +43,10 @@ def paths(place, row, problem):
     for seed in range(1, SEEDS[place.form] + 1):
         for name, command in contenders.items():
             path.unlink(missing_ok=True)
-            seconds, _ = timed(command(seed))
+            seconds, _ = timed(command(seed), (0, 1))
             times[name].append(seconds)
             found[name].append(path.exists())
-            free[name].append(path.exists() and timed([place.program(), "check", problem, path, "--brief"])[1].returncode == 0)
+            free[name].append(path.exists() and timed([place.program(), "check", problem, path, "--brief"], (0, 1))[1].returncode == 0)
     return [line(row, name, times[name], found=sum(found[name]), free=sum(free[name])) for name in contenders]
 
 
@@ -52,7 +59,7 @@ def answers(place, row, problem):
         for name in libraries:
             seconds, done = timed([*benchmark, "ask", name, problem])
             times[name].append(seconds)
-            said[name] = done.stdout.strip() or done.stderr.strip()
+            said[name] = done.stdout.strip()
     return [line(row, f"first answer, {name}", times[name], answer=said[name]) for name in libraries]
 
 
