@@ -79,7 +79,7 @@ struct SceneClearance::Scratch {
     std::size_t nearest = 0;            ///< the obstacle that was nearest, or in the way, last time
     FreePoses freePoses{};
     std::optional<Pose> clearPose{};  ///< the last one that isClearOfSurfaces() found clear
-    bool isInMotion = false;        ///< a query of a motion is under way; see ThreadScratch::ForMotion
+    bool isInMotion = false;          ///< a query of a motion is under way; see ThreadScratch::ForMotion
 };
 
 struct SceneClearance::ThreadScratch {

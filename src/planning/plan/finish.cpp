@@ -137,7 +137,7 @@ PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::fun
     const double floor = std::max(setup.floor, std::min(cap, kept));
     unwind(path, *setup.auditor, floor, isSpent);
     SimplifyOptions options{floor, isSpent};
-    if (kept > 0) options.kept = kept;
+    if (kept > 0 && std::isfinite(kept)) options.kept = kept;
     PathAudit shortened = simplify(path, *setup.auditor, options);
     raiseTo(std::min(kept, keptClearance(path, *setup.auditor, {0, floor, kAccuracy, {}})), shortened);
     return shortened;

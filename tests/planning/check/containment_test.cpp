@@ -155,8 +155,9 @@ BOOST_AUTO_TEST_CASE(verdicts_are_those_of_distances_and_solid_angles) {
 // Motions from state to state, as a planner's trees make them, asked of a checker that remembers free states and of new ones.
 BOOST_AUTO_TEST_CASE(what_is_remembered_of_free_states_changes_no_verdict) {
     const Mesh obstacle =
-        named(joined(joined(box({20, 20, 20}), reversed(box({15, 15, 15}))), box({6, 1, 9})), "tank");
-    const Scene scene = solidScene(joined(box({1, 2, 3}), translated(sphere(2, 6), {6, 0, 0})), obstacle);
+        named(joined(joined(box({20, 20, 20}), reversed(box({15, 15, 15}))), box({6, 4, 9})), "tank");
+    const Scene scene =
+        solidScene(joined(box({0.3, 0.6, 0.9}), translated(sphere(0.5, 6), {1.5, 0, 0})), obstacle);
     const PartInSpace remembering(scene);
     Random random(62);
     const auto anyState = [&](double within) {
@@ -168,7 +169,8 @@ BOOST_AUTO_TEST_CASE(what_is_remembered_of_free_states_changes_no_verdict) {
     int valid = 0, invalid = 0, inSolid = 0;
     PartState from = anyState(10);
     for (int i = 0; i < inForm(4000, 400); ++i) {
-        const PartState to = anyState(i % 3 == 0 ? 40 : 14);
+        PartState to = anyState(i % 4 == 0 ? 22 : 3);
+        if (i % 4 != 0) to.position += from.position;
         const auto s1 = remembering.at(from), s2 = remembering.at(to);
         const PartInSpace fresh(scene);
         std::pair<ob::State*, double> lastValid(nullptr, 0);
