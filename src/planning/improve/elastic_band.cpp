@@ -141,7 +141,6 @@ class Band {
         const std::size_t inner = states_.count() - 2;
         for (std::size_t k = 0; k < inner && !isSpent(); ++k) move(isForward_ ? k + 1 : inner - k);
         reached_ = std::min(leastGap_, kMostAhead * kept_);
-        if (options_.onSweep && !isSpent()) options_.onSweep(leastGap_);
         isForward_ = !isForward_;
     }
 

@@ -39,9 +39,6 @@ struct WideningOptions {
     std::function<bool()> isSpent;     ///< called often, also within motions; true ends the band at once
     std::function<void(double)>
         onGain;  ///< called with the clearance kept when a path that keeps more replaced the path
-    /// Called after each sweep with the least clearance that a state had before it. It rises earlier, and in smaller steps, than
-    /// what all motions keep.
-    std::function<void(double)> onSweep;
 };
 
 /// Moves the states between the first and the last, and adds and removes some, so that the least clearance of the path

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <mutex>
 
 #include "clearway/planning/motion_validator.h"
 #include "clearway/scene_clearance.h"
@@ -26,11 +27,35 @@ constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 
 constexpr int kEndBisections = 10;  ///< of the motion that leads outside
 
-/// Bands that have gained nothing for this share of the time so far gain slowly.
-constexpr double kSlowShare = 0.3;
-/// Bands that have gained nothing for so long have all there is, also before the time for widening is up.
-constexpr double kIdleSeconds = 0.2, kIdleShare = 0.5;
-constexpr double kOneWay = 1.25;  ///< times as long goes on what has widened a single way
+/// Whether a clearance still grows fast: by kFastGrowth within this share of the time so far.
+constexpr double kFastGrowth = 0.05, kLookBack = 0.3;
+constexpr double kLookSeconds = 0.01;  ///< between two looks
+constexpr double kOneWay = 1.25;       ///< times as long goes on what has widened a single way
+
+/// Watches a clearance. Several threads ask.
+class Growth {
+  public:
+    template <class Clearance>
+    bool isFast(const Clearance& clearance) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const double now = secondsSince(begin_);
+        if (now - looked_ < kLookSeconds) return isFast_;
+        looked_ = now;
+        const double grown = clearance();
+        if (grown > (1 + kFastGrowth) * reference_) {
+            reference_ = grown;
+            lastGrown_ = now;
+        }
+        isFast_ = now - lastGrown_ < kLookBack * now;
+        return isFast_;
+    }
+
+  private:
+    std::mutex mutex_;
+    const Clock::time_point begin_ = Clock::now();
+    double looked_ = 0, reference_ = 0, lastGrown_ = 0;
+    bool isFast_ = true;
+};
 
 /// The setup's problem with a validator that ends with the time for widening, and without an objective.
 class WideningSetup {
@@ -92,15 +117,15 @@ void widenInTime(const WideningSetup& setup, og::PathGeometric& path, const Wide
     rising.lookForShortPaths();
     rising.setup();
     rising.startFrom(path, {kept, limits.planningSeconds});
+    Growth growth;
     const Clock::time_point begin = Clock::now();
     std::atomic<double> due{0};
     rising.solve(ob::PlannerTerminationCondition([&] {
+        const bool isFast = growth.isFast([&] { return rising.clearance().value_or(0); });
         if (limits.isSpent()) return true;
-        const double seconds = secondsSince(begin), idle = rising.secondsWithoutGain();
-        if (!limits.isDue()) return idle > std::max(kIdleSeconds, kIdleShare * seconds);
-        if (idle < kSlowShare * seconds) return false;
-        if (due == 0) due = seconds;
-        return rising.hasWidenedSeveral() || seconds > kOneWay * due;
+        if (!limits.isDue() || isFast) return false;
+        if (due == 0) due = secondsSince(begin);
+        return rising.hasWidenedSeveral() || secondsSince(begin) > kOneWay * due;
     }));
     if (const ob::PathPtr found = setup.definition()->getSolutionPath()) {
         path = *std::static_pointer_cast<og::PathGeometric>(found);

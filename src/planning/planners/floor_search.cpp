@@ -46,8 +46,7 @@ constexpr double kSurelyKept =
 
 /// RRTConnect and SlidingRRTConnect take turns: one of four seeks is beside the narrow places, so their numbers are apart by more.
 constexpr int kTurnsBeside = 4;
-constexpr double kMuchGained = 0.05;  ///< of a clearance
-constexpr int kFirstPaths = 3;        ///< that are widened before ways that wind less are sought
+constexpr int kFirstPaths = 3;  ///< that are widened before ways that wind less are sought
 
 /// A planner that draws its samples from a given sampler.
 template <class Planner>
@@ -210,11 +209,6 @@ bool FloorSearch::hasWidenedSeveral() const {
     return ways_ > 1;
 }
 
-double FloorSearch::secondsWithoutGain() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return ways_ == 0 ? 0 : secondsSince(gained_);
-}
-
 void FloorSearch::getPlannerData(ob::PlannerData& data) const {
     const std::vector<ob::State*>& states = bestPath().path->getStates();
     data.addStartVertex(ob::PlannerDataVertex(states.front()));
@@ -304,14 +298,6 @@ void FloorSearch::widen(const Job& job) {
         const std::lock_guard<std::mutex> lock(mutex_);
         takeIfBetter({std::make_shared<og::PathGeometric>(path), kept}, gain_);
     };
-    std::optional<double> risenTo;  // begins with what the states have, which is more than the motions keep
-    options.onSweep = [&](double clearance) {
-        const bool isGain = risenTo && clearance > (1 + kMuchGained) * *risenTo;
-        if (!risenTo || isGain) risenTo = clearance;
-        if (!isGain) return;
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (clearance > best_.clearance) gained_ = Clock::now();
-    };
     if (job.kind == Job::Kind::kWidenOn) {
         options.gain = job.gain;
     } else {
@@ -327,7 +313,6 @@ void FloorSearch::widen(const Job& job) {
     const std::lock_guard<std::mutex> lock(mutex_);
     takeIfBetter(widened, kFirstBandGain);
     ways_ += job.kind == Job::Kind::kWiden;
-    if (ways_ == 1) gained_ = Clock::now();
     if (job.isShortPath && (!shortPath_ || isBetterPath(widened, *shortPath_, radius())))
         shortPath_ = widened;
     if (gain_ == 0) gain_ = kFirstBandGain;
@@ -353,9 +338,6 @@ void FloorSearch::takeIfBetter(const WidePath& path, double gain) {
     best_ = path;
     gain_ = gain;
     isEnough_ = isEnough(best_);
-    if (best_.clearance <= (1 + kMuchGained) * gainedTo_) return;
-    gainedTo_ = best_.clearance;
-    gained_ = Clock::now();
 }
 
 void FloorSearch::seek(const Job& job) {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "clearway/planning/motion_validator.h"
-#include "core/clock.h"
 #include "planning/improve/unwind.h"
 
 namespace clearway::planning {
@@ -63,10 +62,6 @@ class FloorSearch {
     /// Whether a band has widened a second path. May be called while run() goes on.
     bool hasWidenedSeveral() const;
 
-    /// The seconds since a band last gained much beyond the best path, in the clearance of its states or in that of its motions; 0 until
-    /// a first band has ended. May be called while run() goes on.
-    double secondsWithoutGain() const;
-
     /// The best way, as one branch. Its states live until the next run().
     void getPlannerData(ompl::base::PlannerData& data) const;
 
@@ -110,10 +105,8 @@ class FloorSearch {
     int ways_ = 0;                       ///< widened, ever
     int paths_ = 0;                      ///< that seekers found, ever
     Seeks wideSeeks_, shortSeeks_;
-    double share_ = kFirstShare;               ///< of the difference, for the next floor
-    double widened_ = 0;                       ///< seconds spent
-    Clock::time_point gained_ = Clock::now();  ///< when a band last gained much
-    double gainedTo_ = 0;                      ///< the best clearance then
+    double share_ = kFirstShare;  ///< of the difference, for the next floor
+    double widened_ = 0;          ///< seconds spent
 };
 
 }  // namespace clearway::planning

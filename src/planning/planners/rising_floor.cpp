@@ -65,11 +65,6 @@ bool RisingFloor::hasWidenedSeveral() const {
     return found && found->hasWidenedSeveral();
 }
 
-double RisingFloor::secondsWithoutGain() const {
-    const auto found = search();
-    return found ? found->secondsWithoutGain() : 0;
-}
-
 void RisingFloor::getPlannerData(ob::PlannerData& data) const {
     Planner::getPlannerData(data);
     if (search_) {

@@ -51,9 +51,6 @@ class RisingFloor : public ompl::base::Planner {
     /// Whether a band has widened a second path. May be called while solve() goes on.
     bool hasWidenedSeveral() const;
 
-    /// The seconds since a band last gained much; 0 until a first one has ended. May be called while solve() goes on.
-    double secondsWithoutGain() const;
-
     /// After a few ways looks for ways that wind less, too. Ends with one that keeps nearly as much clearance as the best path:
     /// see FloorSearch::bestPath.
     void lookForShortPaths() { wantsShortPaths_ = true; }
