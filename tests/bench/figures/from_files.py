@@ -26,11 +26,3 @@ def answers(results):
     names = [what.removeprefix("first answer, ") for what in distinct(rows, "what")]
     return table(["files to the first answer"] + names,
                  [[scene] + [cell(matching(rows, scene=scene), f"first answer, {name}") for name in names] for scene in distinct(rows, "scene")])
-
-
-def readme(results, scene="tunnel-console-3"):
-    """One row."""
-    rows = results.select("from_files", scene=scene)
-    return table(["from two files to a path, whole process"] + ["`clearway plan`, certified and widened", "`clearway plan --quick`, certified",
-                                                                 "OMPL's RRTConnect with FCL, checked in steps"],
-                 [[scene] + [cell(rows, name) for name in PATHS]])
