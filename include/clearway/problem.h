@@ -188,7 +188,7 @@ std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = lo
 /// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
 Mesh loadEnvironment(const Problem& problem);
 
-/// What a problem's mesh files hold.
+/// The meshes of a problem's files.
 struct SceneMeshes {
     Mesh part;                 ///< see loadPart
     std::vector<Mesh> worlds;  ///< see loadWorlds
