@@ -16,7 +16,9 @@ namespace clearway {
 
 /// Tells whether this process may use TBB, and remembers that it does. False in a process forked after that: what TBB's locks
 /// guarded when the process was forked stays locked there for ever.
+#pragma GCC visibility push(default)  // clearway::planning calls it
 bool mayShareWork();
+#pragma GCC visibility pop
 
 /// Calls work(i) for every i below count, in parallel, and returns when all have returned. It throws what one of them threw.
 template <class Work>

@@ -62,7 +62,8 @@ struct PathAudit {
 /// Options of audit(): with `profile`, it also fills PathAudit::profile.
 struct AuditOptions {
     bool profile = false;  ///< costs a few times as many queries
-    /// Called before each motion, and by checkPath also within motions. True ends the audit: it throws AuditStopped.
+    /// Called before each motion, and by checkPath also within motions, from several threads. True ends the audit: it throws
+    /// AuditStopped.
     std::function<bool()> isStopped = nullptr;
 };
 
@@ -72,7 +73,8 @@ class AuditStopped : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Judges every motion of the path, also those after a motion that is not valid. Throws ArgumentError
+/// Judges every motion of the path, also those after a motion that is not valid, each without a warm start. In OMPL's SE(3) and
+/// SE(2) motions run on as many threads as oneTBB gives the caller. Throws ArgumentError
 /// when the path has no state, or is in another space than the validator's, and AuditStopped. Nothing else is thrown: a motion
 /// that cannot be judged is invalid, and its report says why.
 PathAudit audit(const ompl::geometric::PathGeometric& path, const MotionValidator& validator,

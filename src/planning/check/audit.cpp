@@ -5,6 +5,7 @@
 
 #include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
+#include "core/parallel.h"
 #include "planning/space/ompl_states.h"
 
 namespace clearway::planning {
@@ -101,29 +102,44 @@ PathAudit audit(const og::PathGeometric& path, const MotionValidator& validator,
                 const AuditOptions& options) {
     requireUsable(path, validator);
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const auto count = static_cast<unsigned int>(path.getStateCount());
+    const auto endsOf = [&](std::size_t segment) {
+        const auto from = static_cast<unsigned int>(segment);
+        return Ends{path.getState(from), path.getState(std::min(from + 1, count - 1))};
+    };
+    const auto requireGoingOn = [&] {
+        if (options.isStopped && options.isStopped()) throw AuditStopped("the audit was stopped");
+    };
+    std::vector<MotionProfile> found(std::max(count - 1, 1u));
+    // Without a warm start a motion's report is the same on any thread.
+    const auto look = [&](std::size_t i) {
+        requireGoingOn();
+        const SceneClearance::ColdStart cold(*validator.shared().clearance());
+        const Ends ends = endsOf(i);
+        if (options.profile) {
+            found[i] = validator.profile(ends.from, ends.to);
+        } else {
+            found[i].report = validator.report(ends.from, ends.to);
+        }
+    };
+    // Callbacks of the user's own may be for one thread.
+    if (validator.shared().stateToPose()) {
+        for (std::size_t i = 0; i < found.size(); ++i) look(i);
+    } else {
+        forEachInParallel(found.size(), look);
+    }
+    requireGoingOn();  // a motion that was stopped is undecided for no other reason
+
     PathAudit result;
     result.verdict = MotionVerdict::kValid;
     result.lowerClearance = result.upperClearance = kInfinity;
     double travelled = 0;
-    const auto count = static_cast<unsigned int>(path.getStateCount());
-    const auto requireGoingOn = [&] {
-        if (options.isStopped && options.isStopped()) throw AuditStopped("the audit was stopped");
-    };
-    for (unsigned int k = 0; k == 0 || k + 1 < count; ++k) {
-        requireGoingOn();
-        const Ends ends{path.getState(k), path.getState(std::min(k + 1, count - 1))};
-        MotionProfile found;
-        if (options.profile) {
-            found = validator.profile(ends.from, ends.to);
-        } else {
-            found.report = validator.report(ends.from, ends.to);
-        }
-        const double travel = found.report.travel;
-        addProfile(result, found.points, travelled, travel);
-        add(result, describe(path, validator, ends, std::move(found.report)));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double travel = found[i].report.travel;
+        addProfile(result, found[i].points, travelled, travel);
+        add(result, describe(path, validator, endsOf(i), std::move(found[i].report)));
         travelled += travel;
     }
-    requireGoingOn();  // a motion that was stopped is undecided for no other reason
     return result;
 }
 

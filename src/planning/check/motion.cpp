@@ -229,6 +229,21 @@ bool Motion::isShort() const {
     return length() <= kShare * posed_.scene().part.box().diagonal().norm();
 }
 
+bool Motion::isWithinFloorBetween() {
+    constexpr double kShare = 0.1;  // of the part's diagonal; shorter motions are swept as quickly
+    if (floor_ == 0 || length() <= kShare * posed_.scene().part.box().diagonal().norm()) return false;
+    ClearanceOptions options;
+    options.cap = floor_;
+    options.isRough = options.isOutside = true;
+    for (const double time : {0.5, 0.25, 0.75}) {
+        posed_.space().interpolate(s1_, s2_, time, scratch_.get());
+        const PoseClearance found = posed_.clearance().at(posed_.pose(scratch_.get()), options);
+        queries_ += found.queries;
+        if (found.upper <= floor_) return true;
+    }
+    return false;
+}
+
 TimeSpan Motion::leavesBounds(double length) {
     if (isEndWithinBounds()) return {1, 1};
     return change({0, 1}, length,

@@ -99,6 +99,10 @@ class Motion {
     /// Whether the motion is so short that sweeping it finds a blocked end as soon as a query there does.
     bool isShort() const;
 
+    /// Whether some of three poses between the ends surely comes within the floor: by far cheaper than a sweep of a long motion.
+    /// Ignores solids and bounds.
+    bool isWithinFloorBetween();
+
     /// The time where the motion leaves the bounds: the last one found within, and one outside, closer than a length. Both
     /// are 1 when s2 is within.
     TimeSpan leavesBounds(double length);

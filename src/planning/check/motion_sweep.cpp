@@ -37,6 +37,7 @@ MotionVerdict MotionSweep::certify() {
     if (!motion_.isEndWithinBounds()) return MotionVerdict::kInvalid;
     if (motion_.length() == 0) return judgeEnds();
     if (!motion_.isShort() && !motion_.isEndClear()) return MotionVerdict::kInvalid;
+    if (motion_.isWithinFloorBetween()) return MotionVerdict::kInvalid;
     const MotionVerdict verdict = verdictOf(motion_.sweep(options_).verdict);
     if (verdict == MotionVerdict::kInvalid && !motion_.isFreeAtStart()) return invalidStart();
     if (verdict != MotionVerdict::kValid) return verdict;

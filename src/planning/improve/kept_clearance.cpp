@@ -1,6 +1,7 @@
 #include "planning/improve/kept_clearance.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace clearway::planning {
 namespace {
@@ -44,8 +45,14 @@ double keptClearance(const og::PathGeometric& path, const MotionValidator& valid
     double least = options.least, most = options.most;
     if (path.getStateCount() < 2) return least;
     Keeping allKeep(path, validator, options.isSpent);
+    double next = options.expected > least ? std::min(options.expected, most) : most;
+    for (double step = options.share; next < most && allKeep(next); step *= 2) {
+        least = next;
+        next = std::min(most, (1 + step) * least);
+    }
+    if (next < most) most = std::exchange(next, 0.5 * next);
     const double smallest = std::max(least, kLeastKept * most);
-    for (double next = most; next > smallest && !allKeep.isSpent(); next *= 0.5) {
+    for (; next > smallest && !allKeep.isSpent(); next *= 0.5) {
         if (allKeep(next)) {
             least = next;
             break;

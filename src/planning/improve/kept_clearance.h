@@ -14,6 +14,7 @@ struct KeptClearanceOptions {
     double most = 0;      ///< the search stops at this clearance; finite
     double share = 0.01;  ///< how much less than the largest clearance kept the answer may be
     std::function<bool()> isSpent;
+    double expected = 0;  ///< probably kept, and hardly more; 0: unknown
 };
 
 /// Returns a clearance from `least` to `most` that all motions keep, by MotionValidator::keepsClearance. Clearances of a

@@ -91,8 +91,9 @@ class WideningSetup {
     std::shared_ptr<MotionValidator> validator_;
 };
 
-void widenBySweeps(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
-                   double kept) {
+/// Returns the clearance that the widened path keeps, if it is known.
+double widenBySweeps(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
+                     double kept) {
     const Scene& scene = setup.validator().scene();
     const PartMoves moves(*setup.si()->getStateSpace(), scene.part);
     const SceneClearance& clearance = *setup.validator().shared().clearance();
@@ -105,11 +106,11 @@ void widenBySweeps(const WideningSetup& setup, og::PathGeometric& path, const Wi
     options.clearance = kept;
     options.sweeps = limits.sweeps;
     options.isSpent = limits.isSpent;
-    widenBothWays(path, setup.validator(), options);
+    return widenBothWays(path, setup.validator(), options);
 }
 
-void widenInTime(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
-                 double kept) {
+double widenInTime(const WideningSetup& setup, og::PathGeometric& path, const WideningLimits& limits,
+                   double kept) {
     RisingFloor rising(setup.si());
     rising.setProblemDefinition(setup.definition());
     rising.setRange(limits.range);
@@ -130,6 +131,7 @@ void widenInTime(const WideningSetup& setup, og::PathGeometric& path, const Wide
     if (const ob::PathPtr found = setup.definition()->getSolutionPath()) {
         path = *std::static_pointer_cast<og::PathGeometric>(found);
     }
+    return rising.clearance().value_or(0);
 }
 
 /// Ends the path where its first motion that leads outside gets there: widenPath led it on, for clearance at its end.
@@ -160,10 +162,11 @@ WideningReport widenPath(const PlanSetup& setup, og::PathGeometric& path, const 
     WideningReport report;
     report.before = keptClearance(path, wide.validator(), {0, most, kBeforeAccuracy, limits.isSpent});
     og::PathGeometric widened = wide.copyOf(path);
-    (limits.sweeps ? widenBySweeps : widenInTime)(wide, widened, limits, report.before);
+    const double expected =
+        (limits.sweeps ? widenBySweeps : widenInTime)(wide, widened, limits, report.before);
     endOnceOutside(setup, widened);
     // The auditor decides: its motions do not end with the time for widening.
-    report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}});
+    report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}, expected});
     if (report.after < report.before) {
         report.after = report.before;
         return report;
