@@ -26,3 +26,12 @@ def answers(results):
     names = [what.removeprefix("first answer, ") for what in distinct(rows, "what")]
     return table(["files to the first answer"] + names,
                  [[scene] + [cell(matching(rows, scene=scene), f"first answer, {name}") for name in names] for scene in distinct(rows, "scene")])
+
+
+def main_row(results):
+    """The README's: a column a scene."""
+    rows = results.rows("from_files")
+    scenes = distinct(rows, "scene")
+    return table(["from two files to a path, whole process"] + scenes,
+                 [[title] + [cell(matching(rows, scene=scene), name) for scene in scenes]
+                  for title, name in (("`clearway plan --quick`", "plan --quick"), ("RRTConnect with FCL, in steps", "RRTConnect with FCL"))])
