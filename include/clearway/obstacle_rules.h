@@ -28,8 +28,6 @@ struct OverlapRules {
     /// Overlaps that replace the common one, by name; environment units, >= 0. If two names stand for one
     /// obstacle, the name that stands for fewer components counts.
     std::map<std::string, double> byName;
-    std::optional<double> tolerance;  ///< environment units, > 0; without it a tenth of each overlap
-    bool isThinAllowed = false;       ///< whether shrinking may remove or cut off pieces of the part
 };
 
 /// All rules of a problem.

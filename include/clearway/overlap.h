@@ -11,8 +11,6 @@
 
 namespace clearway {
 
-class SurfaceDepth;
-
 /// The point of an obstacle that lies deepest below the part's surface.
 struct DeepestPoint {
     double lower = 0;                    ///< its depth is at least this; environment units
@@ -24,14 +22,9 @@ struct DeepestPoint {
 /// Measures overlaps with one part. Any number of threads may use it at once.
 class OverlapMeter {
   public:
-    /// Where components of the part meet, gaps of less than 0.0002 of the part's diagonal count as filled, and
-    /// depths may be too small by twice as much. Throws ArgumentError as shrink() does for a part that is
-    /// not closed or passes through itself.
+    /// Depths are measured as shrink() means them: to the nearest triangle of any component. Throws ArgumentError as shrink()
+    /// does for a part that is not closed.
     explicit OverlapMeter(const Mesh& part);
-
-    /// Measures as a part that shrink() has shrunk with this tolerance (mesh units, > 0). Gaps of less than
-    /// an eighth of the tolerance count as filled, as they do in shrink().
-    OverlapMeter(const Mesh& part, double tolerance);
 
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at
     /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is
@@ -47,7 +40,8 @@ class OverlapMeter {
     DeepestPoint deepest(const Mesh& obstacle, const Pose& X_environmentPart, double leastDepth) const;
 
   private:
-    std::shared_ptr<const SurfaceDepth> surface_;
+    struct Surface;
+    std::shared_ptr<const Surface> surface_;
 };
 
 }  // namespace clearway

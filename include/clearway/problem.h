@@ -225,15 +225,14 @@ struct SceneLoading {
 
 /// A problem's scene, and notes for its user, one line each: the meshes' warnings (MeshOrigin::warnings), components
 /// turned over because all their triangles faced inwards, readingNote, unitNote, components of the part that enclose
-/// nothing, and pieces that shrinking leaves out.
+/// nothing, and thin places of a shrunk part.
 struct LoadedScene {
     Scene scene;                     ///< in the environment's frame and unit
     std::vector<std::string> notes;  ///< empty in most cases
 };
 
-/// The part shrunk by each overlap of the obstacles, with loading.shrink. Adds a note for each thing that shrinking leaves
-/// out. Throws as shrink() does, naming the problem's file, and when something is left out although the problem
-/// does not allow it.
+/// The part shrunk by each overlap of the obstacles, with loading.shrink. Adds a note for each one that has thin places. Throws as
+/// shrink() does, naming the problem's file.
 std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
                                    std::vector<std::string>& notes, const SceneLoading& loading = {});
 

@@ -37,9 +37,8 @@ struct ShrunkModel {
     Model model;                           ///< in the part's mesh coordinates
     std::shared_ptr<const Solids> solids;  ///< the insides of the model's mesh
     double overlap = 0;                    ///< ShrinkOptions::overlap; mesh units
-    double tolerance = 0;                  ///< ShrinkOptions::tolerance; mesh units
 
-    /// For each triangle of the model the nearest triangle of the part's mesh. Reports name these.
+    /// For each triangle of the model the one of the part's mesh that it comes from. Reports name these.
     std::vector<std::uint32_t> partTriangles;
 };
 

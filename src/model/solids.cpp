@@ -73,6 +73,21 @@ Solid::Solid(WeldedSurface surface, const std::string& name)
     }
     if (triangles_.empty()) refuseSolid(name, "it has no triangle with three corners");
     requireClosed(topology.edges, name);
+    boxTriangles();
+    orient(topology.shells, name);
+    if (topology.edges.touchingEdges > 0) lookInFront(name);
+}
+
+Solid Solid::oriented(const Mesh& mesh) {
+    Solid solid;
+    solid.vertices_ = mesh.vertices;
+    solid.triangles_ = mesh.triangles;
+    solid.shellVertices_ = verticesOf(findShells(mesh.triangles), mesh.vertices, mesh.triangles);
+    solid.boxTriangles();
+    return solid;
+}
+
+void Solid::boxTriangles() {
     for (const Vector3& vertex : vertices_) box_.extend(vertex);
     std::vector<Box> boxes;
     boxes.reserve(triangles_.size());
@@ -80,8 +95,6 @@ Solid::Solid(WeldedSurface surface, const std::string& name)
         boxes.emplace_back(vertices_[a]).extend(vertices_[b]).extend(vertices_[c]);
     }
     tree_ = BoxTree(boxes);
-    orient(topology.shells, name);
-    if (topology.edges.touchingEdges > 0) lookInFront(name);
 }
 
 /// Where surfaces touch along edges, one connected surface may bound pieces that face different ways.
@@ -193,6 +206,19 @@ Solids::Solids(const Mesh& mesh) {
             refusals_.push_back(refusal.what());
         }
     }
+    findTrees();
+}
+
+Solids Solids::oriented(const Mesh& mesh) {
+    Solids made;
+    made.names_ = {componentsOf(mesh).front().name};
+    made.solids_.push_back({Solid::oriented(mesh), 0});
+    for (const Vector3& vertex : made.solids_[0].solid.shellVertices()) made.pieces_.push_back({vertex, 0});
+    made.findTrees();
+    return made;
+}
+
+void Solids::findTrees() {
     std::vector<Box> boxes, points;
     for (const NamedSolid& named : solids_) {
         boxes.push_back(named.solid.box());

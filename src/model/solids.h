@@ -30,6 +30,10 @@ class Solid {
     /// Makes the solid of a mesh that is already welded, without a copy.
     Solid(WeldedSurface surface, const std::string& name);
 
+    /// Takes a mesh as it is, with equal triangles and others that face inwards: along each edge as many sides must lead one way as the
+    /// other way, which is not checked.
+    static Solid oriented(const Mesh& mesh);
+
     bool isTurnedOver() const { return isTurnedOver_; }
 
     /// Whether the surface, which touches itself along edges, is also inside of what it bounds.
@@ -49,6 +53,8 @@ class Solid {
     /// Calls take(triangle, sign) for the triangles that the ray crosses. sign: as ZRay::crossing.
     template <class Take>
     void eachCrossing(const ZRay& ray, const Take& take) const;
+    Solid() = default;
+    void boxTriangles();
     std::vector<bool> findOutermost(const Shells& shells) const;
     void orient(const Shells& shells, const std::string& name);
     void lookInFront(const std::string& name);
@@ -67,6 +73,9 @@ class Solids {
     /// Records why components enclose nothing and which were turned over. Throws ArgumentError as
     /// Model::build does.
     explicit Solids(const Mesh& mesh);
+
+    /// One solid of all of a mesh, as Solid::oriented takes it, called as its first component.
+    static Solids oriented(const Mesh& mesh);
 
     const std::vector<std::string>& refusals() const { return refusals_; }
     const std::vector<std::string>& turnedOver() const { return turnedOver_; }
@@ -90,6 +99,8 @@ class Solids {
         Vector3 vertex;
         std::size_t component;
     };
+    Solids() = default;
+    void findTrees();
     Box boxIn(const Pose& X_aOther, const Pose& X_aThis) const;
 
     std::vector<std::string> names_;  ///< of the components

@@ -51,9 +51,9 @@ const std::vector<KnownKeys>& knownKeys() {
         {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
         {"clearway", {"contact.goal",      "contact.start", "fineness",     "goal",
                       "goal.degrees",      "ignore",        "margin",       "margin.NAME",
-                      "outside",           "overlap",       "overlap.NAME", "overlap.thin",
-                      "overlap.tolerance", "reading",       "robot.scale",  "solid",
-                      "start.degrees",     "step",          "unit",         "world.scale"}},
+                      "outside",           "overlap",       "overlap.NAME", "reading",
+                      "robot.scale",       "solid",         "start.degrees", "step",
+                      "unit",              "world.scale"}},
     };
     return all;
 }

@@ -1,4 +1,6 @@
 // From a problem to the scene that planning asks about.
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -10,7 +12,6 @@
 namespace clearway {
 namespace {
 
-constexpr double kUsualTolerance = 0.1;  ///< of an overlap
 constexpr double kMostSmaller = 1000;    ///< a part that is smaller than its surroundings by this factor, and
 constexpr double kMostLarger = 10;       ///< one that is larger by this factor, may be in another unit
 
@@ -37,24 +38,18 @@ ObstacleGroups obstaclesOf(const Problem& problem, const std::vector<Mesh>& worl
 std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
                                    std::vector<std::string>& notes, const SceneLoading& loading) {
     std::vector<ShrunkPart> all;
-    const OverlapRules& rules = problem.rules.overlap;
-    const std::string prefix = problem.file + ": [clearway] ";
     for (const double overlap : obstacles.overlaps()) {
-        const ShrinkOptions options{overlap, rules.tolerance.value_or(kUsualTolerance * overlap)};
         try {
-            all.push_back(loading.shrink(part, options));
+            all.push_back(loading.shrink(part, {overlap}));
         } catch (const std::invalid_argument& error) {
-            throw ArgumentError(prefix + error.what());
+            throw ArgumentError(problem.file + ": [clearway] " + error.what());
         }
-        const std::string what = "overlap = " + shortNumber(overlap) + ": ";
-        const std::vector<std::string>& leftOut = all.back().leftOut;
-        if (!leftOut.empty() && !rules.isThinAllowed) {
-            throw ArgumentError(prefix + what + leftOut[0] +
-                                ", expected a smaller overlap, or overlap.thin = allow, with which "
-                                "obstacles may pass through what is left out");
-        }
-        for (const std::string& line : leftOut)
-            notes.push_back(what + line + "; obstacles may pass through it");
+        const ThinPlaces& thin = all.back().thin;
+        if (thin.count > 0)
+            notes.push_back(fmt::format(
+                "overlap = {}: {} of the part allow{} less, at least {}, near {} (part coordinates)",
+                shortNumber(overlap), thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count),
+                thin.count == 1 ? "s" : "", roundedNumber(thin.leastOverlap), roundedPoint(thin.at)));
     }
     return all;
 }

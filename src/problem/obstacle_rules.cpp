@@ -12,9 +12,6 @@ namespace {
 
 constexpr const char* kMargin = "margin";
 constexpr const char* kOverlap = "overlap";
-constexpr const char* kTolerance = "clearway.overlap.tolerance";
-constexpr const char* kThinKey = "clearway.overlap.thin";
-constexpr const char* kAllow = "allow";
 constexpr const char* kNames = "names, separated by commas";
 constexpr const char* kAll = "all";
 
@@ -58,18 +55,12 @@ OverlapRules readOverlap(ConfigValues& values) {
     OverlapRules rules;
     rules.common = values.number("clearway.overlap").value_or(0);
     if (!(rules.common >= 0)) values.refuse("clearway.overlap", "a number of at least 0");
-    rules.tolerance = values.number(kTolerance);
-    if (rules.tolerance && !(*rules.tolerance > 0)) values.refuse(kTolerance, "a number above 0");
-    if (const std::optional<std::string> thin = values.text(kThinKey)) {
-        if (*thin != kAllow) values.refuse(kThinKey, "allow, or no such key");
-        rules.isThinAllowed = true;
+    for (const char* key : {"clearway.overlap.tolerance", "clearway.overlap.thin"}) {
+        if (values.has(key))
+            values.refuse(key, "no such key, since no point lies deeper than the overlap itself and thin places are only told "
+                               "(an obstacle of that name stands in quotes)");
     }
     readLengths(values, kOverlap, rules.byName);
-    if (rules.common == 0 && rules.byName.empty()) {
-        const char* expected = "an overlap above 0, or an overlap.NAME, beside it";
-        if (rules.tolerance) values.refuse(kTolerance, expected);
-        if (rules.isThinAllowed) values.refuse(kThinKey, expected);
-    }
     return rules;
 }
 
@@ -106,14 +97,6 @@ void addOverlap(const OverlapRules& rules, std::vector<std::pair<std::string, st
     requireNotNegative(kOverlap, rules.common);
     if (rules.common > 0) lines.emplace_back(kOverlap, formatNumber(rules.common));
     addLengths(kOverlap, rules.byName, lines);
-    if (rules.tolerance) {
-        if (!(*rules.tolerance > 0) || !std::isfinite(*rules.tolerance)) {
-            throw ArgumentError("overlap.tolerance is " + shortNumber(*rules.tolerance) +
-                                ", expected a finite number above 0");
-        }
-        lines.emplace_back("overlap.tolerance", formatNumber(*rules.tolerance));
-    }
-    if (rules.isThinAllowed) lines.emplace_back("overlap.thin", kAllow);
 }
 
 }  // namespace

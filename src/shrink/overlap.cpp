@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <queue>
 
-#include "shrink/surface_depth.h"
+#include "mesh/clean.h"
+#include "mesh/components.h"
+#include "model/solids.h"
+#include "shrink/nearest_triangle.h"
 
 namespace clearway {
 namespace {
 
 constexpr double kShare = 0.01;       ///< how much of the depth may stay open
 constexpr double kLeastDepth = 1e-4;  ///< of the part's diagonal: how much may stay open in any case
-
-constexpr double kMeterTolerance = 16e-4;  ///< of the part's diagonal
 
 /// A piece of a triangle, in the part's frame.
 struct TrianglePiece {
@@ -24,10 +25,13 @@ struct TrianglePiece {
 
 class DeepestSearch {
   public:
-    DeepestSearch(const SurfaceDepth& surface, const Pose& X_partEnvironment, double leastDepth)
-        : surface_(surface),
+    DeepestSearch(const Mesh& part, const Model& surface, const std::vector<Solid>& solids,
+                  const Pose& X_partEnvironment, double leastDepth)
+        : part_(part),
+          solids_(solids),
+          nearest_(surface),
           X_partEnvironment_(X_partEnvironment),
-          leastDepth_(std::max(leastDepth, kLeastDepth * surface.model().box().diagonal().norm())) {}
+          leastDepth_(std::max(leastDepth, kLeastDepth * surface.box().diagonal().norm())) {}
 
     void add(const Corners3& obstacle, std::uint32_t triangle) {
         Corners3 corners;
@@ -36,7 +40,7 @@ class DeepestSearch {
             corners[k] = X_partEnvironment_ * obstacle[k];
             box.extend(corners[k]);
         }
-        if (box.intersects(surface_.model().box())) lookAt(corners, triangle);
+        if (box.intersects(nearest_.model().box())) lookAt(corners, triangle);
     }
 
     DeepestPoint find(const Pose& X_environmentPart) {
@@ -62,8 +66,8 @@ class DeepestSearch {
         const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
         double radius = 0;
         for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
-        const SurfaceDepth::Place place = surface_.at(middle, workspace_);
-        const double depth = place.depth;
+        const NearestTriangle::Place place = nearest_.of(middle);
+        const double depth = isInside(middle) ? place.distance : -place.distance;
         if (depth > best_.lower) {
             best_.lower = depth;
             best_.point = middle;
@@ -80,10 +84,17 @@ class DeepestSearch {
 
     /// No point of the piece lies deeper than this: the distance to one triangle of the surface is convex.
     double furthestFrom(std::uint32_t triangle, const Corners3& corners) const {
-        const Corners3 face = surface_.corners(triangle);
+        const auto& [a, b, c] = part_.triangles[triangle];
+        const Corners3 face = {part_.vertices[a], part_.vertices[b], part_.vertices[c]};
         double most = 0;
         for (const Vector3& corner : corners) most = std::max(most, distanceToTriangle(corner, face));
         return most;
+    }
+
+    bool isInside(const Vector3& point) const {
+        return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+            return solid.box().contains(point) && solid.winding({}, {}, point) > 0;
+        });
     }
 
     /// Whether the piece has no point of the part's surface; if its middle is outside, then so is all of it.
@@ -91,7 +102,7 @@ class DeepestSearch {
         Mesh piece;
         piece.vertices.assign(corners.begin(), corners.end());
         piece.triangles = {{0, 1, 2}};
-        return !collides(smallModel(piece), surface_.model(), {}, workspace_);
+        return !collides(Model::build(piece), nearest_.model(), {}, workspace_);
     }
 
     void halve(const TrianglePiece& piece) {
@@ -110,7 +121,9 @@ class DeepestSearch {
         lookAt({middle, b, tip}, piece.triangle);
     }
 
-    const SurfaceDepth& surface_;
+    const Mesh& part_;
+    const std::vector<Solid>& solids_;
+    NearestTriangle nearest_;
     const Pose& X_partEnvironment_;
     const double leastDepth_;
     std::priority_queue<TrianglePiece> open_;
@@ -121,17 +134,31 @@ class DeepestSearch {
 
 }  // namespace
 
-OverlapMeter::OverlapMeter(const Mesh& part)
-    : OverlapMeter(part, kMeterTolerance * boundingBox(part).diagonal().norm()) {}
+struct OverlapMeter::Surface {
+    Mesh mesh;
+    Model model;
+    std::vector<Solid> solids;  ///< of the components
+};
 
-OverlapMeter::OverlapMeter(const Mesh& part, double tolerance)
-    : surface_(std::make_shared<const SurfaceDepth>(part, kJoinFineness * tolerance)) {}
+OverlapMeter::OverlapMeter(const Mesh& part) {
+    auto surface = std::make_shared<Surface>(Surface{part, Model::build(part), {}});
+    const std::vector<Component> components = componentsOf(part);
+    std::vector<CleanMesh> cleaned = cleanComponents(part);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i].triangleCount == 0) continue;
+        Mesh mesh;
+        mesh.vertices = std::move(cleaned[i].vertices);
+        mesh.triangles = std::move(cleaned[i].triangles);
+        surface->solids.emplace_back(mesh, components[i].name.empty() ? "unnamed" : components[i].name);
+    }
+    surface_ = surface;
+}
 
 DeepestPoint OverlapMeter::deepest(const Mesh& obstacle, const Pose& X_environmentPart,
                                    double leastDepth) const {
     requirePose(X_environmentPart);
     const Pose X_partEnvironment = inverse(X_environmentPart);
-    DeepestSearch search(*surface_, X_partEnvironment, leastDepth);
+    DeepestSearch search(surface_->mesh, surface_->model, surface_->solids, X_partEnvironment, leastDepth);
     for (std::uint32_t t = 0; t < obstacle.triangles.size(); ++t) {
         const auto& [a, b, c] = obstacle.triangles[t];
         search.add({obstacle.vertices[a], obstacle.vertices[b], obstacle.vertices[c]}, t);

@@ -1,4 +1,4 @@
-// Shrinks a part, checks what is left and tells what is not.
+// Shrinks a part: moves its faces inwards, and certifies how far its surface moved.
 #include "clearway/shrink.h"
 
 #include <algorithm>
@@ -7,72 +7,143 @@
 
 #include "clearway/errors.h"
 #include "core/number.h"
-#include "shrink/left_out.h"
-#include "shrink/level_cut.h"
-#include "shrink/surface_depth.h"
+#include "mesh/topology.h"
+#include "model/solids.h"
+#include "shrink/certificate.h"
+#include "shrink/mitres.h"
+#include "shrink/oriented_surface.h"
+#include "shrink/thin_places.h"
 
 namespace clearway {
 namespace {
 
-void requirePositive(double value, const char* name) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw ArgumentError(std::string(name) + " is " + shortNumber(value) +
-                        ", expected a finite number above 0");
+constexpr double kFaceDepth = 0.75;    ///< of the overlap: how far faces move, which leaves the rest for corners
+constexpr double kRounding = 1e-11;    ///< of the largest coordinate: more than moves and distances are rounded by
+constexpr double kCornerReach = 6;     ///< face depths around a vertex whose move was shortened
+constexpr double kMitreReach = 1.5;    ///< of its move, if that is more
+constexpr double kThin = 0.6;          ///< of the overlap: where less is allowed, the place counts as thin
+
+void requireOverlap(double overlap) {
+    if (overlap > 0 && std::isfinite(overlap)) return;
+    throw ArgumentError("overlap is " + shortNumber(overlap) + ", expected a finite number above 0");
 }
 
-/// The cut surface keeps its distance from the part's surface. So one vertex tells whether a whole shell of
-/// it is inside, and one vertex of the part's shell whether that shell is outside the shrunk part.
-void requireInside(const Mesh& shrunk, const SurfaceDepth& surface) {
-    const Solid solid(shrunk, "the shrunk part");
-    const auto& cut = solid.shellVertices();
-    const std::vector<Vector3> part = surface.surfacePoints();
-    const bool isInside = !solid.isTurnedOver() && std::all_of(cut.begin(), cut.end(), [&](const Vector3& v) {
-        return surface.isInside(v);
-    }) && std::all_of(part.begin(), part.end(), [&](const Vector3& v) {
-        return solid.winding({}, {}, v) == 0;
-    });
-    if (!isInside) {
-        throw ArgumentError("the shrunk part is not inside the part, whose surface may pass through itself");
-    }
+double largestCoordinate(const std::vector<Vector3>& vertices) {
+    double largest = 0;
+    for (const Vector3& vertex : vertices) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    return largest;
 }
 
-std::vector<std::uint32_t> nearestTriangles(const SurfaceDepth& surface, const Mesh& shrunk) {
-    std::vector<std::uint32_t> nearest;
-    Workspace workspace;
-    for (const auto& [a, b, c] : shrunk.triangles) {
-        const Vector3 sum = shrunk.vertices[a] + shrunk.vertices[b] + shrunk.vertices[c];
-        nearest.push_back(surface.partTriangle(surface.nearest(sum / 3, workspace)));
-    }
-    return nearest;
+Mesh meshOf(const OrientedSurface& surface) {
+    Mesh mesh;
+    mesh.vertices = surface.vertices;
+    mesh.triangles = surface.triangles;
+    return mesh;
 }
+
+class Shrinking {
+  public:
+    Shrinking(const Mesh& part, const ShrinkOptions& options)
+        : options_(options), whole_(orientedSurface(part)), nearest_(Model::build(meshOf(whole_))) {
+        const double rounding = kRounding * largestCoordinate(whole_.vertices);
+        depths_ = {kFaceDepth * options.overlap, options.overlap - rounding};
+        if (!(depths_.most > depths_.face)) {
+            throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected more than " +
+                                shortNumber(rounding / (1 - kFaceDepth)) + ", which coordinates are rounded by");
+        }
+    }
+
+    /// Faces around a vertex whose move is shortened would tilt as a whole. So their corners there are cut off, and all is done again.
+    void run() {
+        requireGoingOn();
+        moved_ = mitred(whole_, depths_);
+        const std::vector<double> reach = shortened(whole_);
+        if (std::all_of(reach.begin(), reach.end(), [](double r) { return r == 0; })) {
+            surface_ = whole_;
+            return;
+        }
+        surface_ = withCutCorners(whole_, reach);
+        moved_ = mitred(surface_, depths_);
+        shortened(surface_);
+    }
+
+    ShrunkPart result(const Mesh& part) {
+        ShrunkPart shrunk;
+        shrunk.options.overlap = options_.overlap;
+        shrunk.mesh.origin = part.origin;
+        for (const MovedVertex& place : moved_.places) {
+            shrunk.mesh.vertices.push_back(surface_.vertices[place.vertex] + place.move);
+        }
+        for (const MovedTriangle& triangle : moved_.triangles) {
+            shrunk.mesh.triangles.push_back({triangle.places[0], triangle.places[1], triangle.places[2]});
+            shrunk.partTriangles.push_back(surface_.given[OrientedSurface::triangleOf(triangle.side)]);
+        }
+        shrunk.mesh.components = {{part.components.size() == 1 ? part.components[0].name : "part", 0,
+                                   static_cast<std::uint32_t>(shrunk.mesh.triangles.size())}};
+        findThinPlaces(shrunk);
+        return shrunk;
+    }
+
+  private:
+    void requireGoingOn() const {
+        if (options_.isStopped && options_.isStopped()) throw ShrinkStopped("shrinking was stopped");
+    }
+
+    /// Shortens moves. Returns how far around each vertex with a shortened move its faces' corners should be cut off.
+    std::vector<double> shortened(const OrientedSurface& surface) {
+        std::vector<double> lengths;
+        for (const MovedVertex& place : moved_.places) lengths.push_back(place.move.norm());
+        requireGoingOn();
+        const std::vector<bool> thin =
+            keepBeforeMiddles(surface, nearest_, whole_, depths_.face, moved_);
+        requireGoingOn();
+        const std::vector<bool> deep = certifyMoves(surface, nearest_, whole_, depths_.most, moved_);
+        std::vector<double> reach(surface.vertices.size(), 0);
+        for (std::size_t i = 0; i < moved_.places.size(); ++i) {
+            if (!thin[i] && !deep[i]) continue;
+            double& around = reach[moved_.places[i].vertex];
+            around = std::max({around, kCornerReach * depths_.face, kMitreReach * lengths[i]});
+        }
+        return reach;
+    }
+
+    /// A place counts once, however many vertices of the shrunk part are there.
+    void findThinPlaces(ShrunkPart& shrunk) {
+        ThinPlaces& thin = shrunk.thin;
+        thin.leastOverlap = options_.overlap;
+        std::vector<bool> isThin(surface_.vertices.size(), false);
+        for (std::size_t i = 0; i < moved_.places.size(); ++i) {
+            const double depth = depthOf(shrunk.mesh.vertices[i], nearest_, whole_);
+            if (depth >= kThin * options_.overlap) continue;
+            isThin[moved_.places[i].vertex] = true;
+            if (depth >= thin.leastOverlap) continue;
+            thin.leastOverlap = std::max(0.0, depth);
+            thin.at = surface_.vertices[moved_.places[i].vertex];
+        }
+        thin.count = static_cast<std::size_t>(std::count(isThin.begin(), isThin.end(), true));
+    }
+
+    const ShrinkOptions& options_;
+    const OrientedSurface whole_;
+    NearestTriangle nearest_;  ///< of whole_, which covers the same points as surface_
+    MitreDepths depths_{};
+    OrientedSurface surface_;
+    MovedSurface moved_;
+};
 
 }  // namespace
 
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options) {
-    requirePositive(options.overlap, "overlap");
-    requirePositive(options.tolerance, "overlap.tolerance");
-    const SurfaceDepth surface(part, kJoinFineness * options.tolerance);
-    ShrunkPart shrunk;
-    shrunk.options = {options.overlap, options.tolerance};
-    shrunk.mesh = cutAtDepth(surface, options);
-    if (shrunk.mesh.triangles.empty()) {
-        throw ArgumentError("overlap is " + roundedNumber(options.overlap) + " with the tolerance " +
-                            roundedNumber(options.tolerance) +
-                            ", which leaves nothing of the part, expected smaller ones");
-    }
-    shrunk.mesh.origin = part.origin;
-    shrunk.mesh.components = {{surface.pieceCount() == 1 ? surface.piece(0).name : "part", 0,
-                               static_cast<std::uint32_t>(shrunk.mesh.triangles.size())}};
-    requireInside(shrunk.mesh, surface);
-    shrunk.partTriangles = nearestTriangles(surface, shrunk.mesh);
-    shrunk.leftOut = findLeftOut(surface, shrunk.mesh, options.overlap + options.tolerance);
-    return shrunk;
+    requireOverlap(options.overlap);
+    Shrinking shrinking(part, options);
+    shrinking.run();
+    return shrinking.result(part);
 }
 
 std::shared_ptr<const ShrunkModel> shrunkModel(const ShrunkPart& shrunk, Model model) {
-    return std::make_shared<const ShrunkModel>(ShrunkModel{std::move(model), makeSolids(shrunk.mesh).solids,
-                                                           shrunk.options.overlap, shrunk.options.tolerance,
-                                                           shrunk.partTriangles});
+    return std::make_shared<const ShrunkModel>(
+        ShrunkModel{std::move(model), std::make_shared<const Solids>(Solids::oriented(shrunk.mesh)),
+                    shrunk.options.overlap, shrunk.partTriangles});
 }
 
 }  // namespace clearway

@@ -14,8 +14,8 @@
 #include "clearway/errors.h"
 #include "core/number.h"
 #include "core/parallel.h"
-#include "isosurface/cut_surface.h"
-#include "isosurface/tetrahedra.h"
+#include "swept/cut_surface.h"
+#include "swept/tetrahedra.h"
 #include "swept/place_distances.h"
 
 namespace clearway {
@@ -53,15 +53,14 @@ class Sweeping {
             if (isStopped_) return {};
             open_ = tetrahedra_.withVerticesFrom(known);
         }
-        SurfacePoints points;
-        points.onEdge = [&](const CutEdge& edge) {
+        const auto pointOn = [&](const CutEdge& edge) {
             const auto& [inner, outer] = edge;
             const auto found = cutPoints_.find(keyOf(inner, outer));
             if (found != cutPoints_.end()) return found->second;
             const auto& v = tetrahedra_.vertices();
             return cutPoint(v[inner], heights_[inner], v[outer], heights_[outer]);
         };
-        return cutSurface(tetrahedra_, heights_, points).mesh;
+        return cutSurface(tetrahedra_, heights_, pointOn).mesh;
     }
 
   private:

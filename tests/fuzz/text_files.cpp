@@ -39,9 +39,7 @@ void requireSameRules(const ObstacleRules& a, const ObstacleRules& b) {
     require(a.margins == b.margins, "margins by name survive");
     require(a.ignored == b.ignored, "ignored obstacles survive");
     require(a.isAllSolid == b.isAllSolid && a.solid == b.solid, "solids survive");
-    require(a.overlap.common == b.overlap.common && a.overlap.byName == b.overlap.byName &&
-                a.overlap.tolerance == b.overlap.tolerance &&
-                a.overlap.isThinAllowed == b.overlap.isThinAllowed,
+    require(a.overlap.common == b.overlap.common && a.overlap.byName == b.overlap.byName,
             "overlaps survive");
     requireSame(a.startContact, b.startContact);
     requireSame(a.goalContact, b.goalContact);
@@ -184,7 +182,7 @@ std::vector<std::string> seeds() {
         "5\nprm=\n"
         "[clearway]\nmargin = 0.1\nstep = 2\nreading = stored\nmargin.a b = 2\nmargin.\"c#2\" = 0 # d\n"
         "ignore = e, \"f, g\"\nsolid = all\ncontact.start = h, 3\ncontact.goal = i, j, 0.5\n"
-        "overlap = 0.5\noverlap.k = 0\noverlap.\"thin\" = 2\noverlap.tolerance = 0.1\noverlap.thin = allow\n";
+        "overlap = 0.5\noverlap.k = 0\noverlap.\"thin\" = 2\n";
     return {'\0' + meshes + spatial + rest,
             '\0' + meshes + "start.theta = 0.5\ngoal.x = 4\ngoal.y = 5\ngoal.theta = 6\n" + rest,
             '\0' + meshes + "start.theta = 0.5\n[clearway]\ngoal = outside\noutside = -y\n",

@@ -31,7 +31,7 @@ const std::string kProblem =
 const std::string kOwnKeys =
     "[problem]\nrobot = p.stl\nworld = w.stl\nstart.x = 1\nstart.y = 2\ngoal.x = 4\ngoal.y = 5\n[clearway]\n"
     "start.degrees = 30\ngoal.degrees = -400\nunit = mm\nrobot.scale = 25.4\nworld.scale = 1e-3\n"
-    "fineness = 0.5\noverlap = 0.1\noverlap.w = 0.2\noverlap.tolerance = 0.01\noverlap.thin = allow\n";
+    "fineness = 0.5\noverlap = 0.1\noverlap.w = 0.2\n";
 const std::string kStates = "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n";
 const std::string kPoses = "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n";
 

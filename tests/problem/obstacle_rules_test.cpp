@@ -74,8 +74,8 @@ BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
     requireRefused("overlap = -1\n", {"overlap is '-1'", "a number of at least 0"});
     requireRefused("overlap.a = x\n", {"overlap.a is 'x'"});
     requireRefused("overlap.a = -2\n", {"a number of at least 0"});
-    requireRefused("overlap.tolerance = 0\n", {"a number above 0"});
-    requireRefused("overlap.thin = 3\n", {"overlap.thin is '3'", "allow"});
+    requireRefused("overlap = 1\noverlap.tolerance = 0.1\n", {"no such key", "no point lies deeper than the overlap itself"});
+    requireRefused("overlap = 1\noverlap.thin = allow\n", {"no such key", "thin places are only told"});
     requireRefused("overlap.a,b = 1\n", {"overlap.NAME = X with each name once"});
     BOOST_TEST(holds(refusalBy([] { read(TemporaryFolder(), "w.stl", "margin.a = 1\nmargin.\"a\" = 2\n"); }),
                      "each name once"));
@@ -150,24 +150,18 @@ BOOST_AUTO_TEST_CASE(names_that_no_file_can_hold_are_not_written) {
 BOOST_AUTO_TEST_CASE(overlaps_are_read_and_written_back) {
     const TemporaryFolder folder;
     const std::string keys =
-        "overlap = 0.5\noverlap.bolt = 0\noverlap.\"thin\" = 2\noverlap.\"a, b\" = 3\noverlap.tolerance = "
-        "0.25\n"
-        "overlap.thin = allow\n";
+        "overlap = 0.5\noverlap.bolt = 0\noverlap.\"thin\" = 2\noverlap.\"a, b\" = 3\n";
     const Problem problem = read(folder, "w.stl", keys);
     const OverlapRules& rules = problem.rules.overlap;
     BOOST_TEST(rules.common == 0.5);
     BOOST_TEST((rules.byName == std::map<std::string, double>{{"bolt", 0}, {"thin", 2}, {"a, b", 3}}));
-    BOOST_TEST(rules.tolerance.value() == 0.25);
-    BOOST_TEST(rules.isThinAllowed);
     writeProblem(problem, folder.file("b.cfg"));
     const OverlapRules back = readProblem(folder.file("b.cfg")).rules.overlap;
     BOOST_TEST(back.common == rules.common);
     BOOST_TEST((back.byName == rules.byName));
-    BOOST_TEST((back.tolerance == rules.tolerance));
-    BOOST_TEST(back.isThinAllowed);
     const OverlapRules none = read(folder, "w.stl", "").rules.overlap;
     BOOST_TEST(none.common == 0);
-    BOOST_TEST((none.byName.empty() && !none.tolerance && !none.isThinAllowed));
+    BOOST_TEST(none.byName.empty());
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ namespace clearway::cli {
 
 namespace {
 
-constexpr int kMostDoublings = 8;
-constexpr double kLiftError = 0.02;     ///< of the least overlap that frees a start
-constexpr double kSmallLift = 1e-3;     ///< of the diagonal of a part that is only touched
-constexpr double kLiftTolerance = 0.5;  ///< of the overlap, unless the problem states one
+constexpr double kMostLift = 0.01;   ///< of the part's diagonal: what reaches in deeper does not just touch
+constexpr double kLeastLift = 1e-6;  ///< of the most
+constexpr double kLiftStep = 0.25;   ///< from one overlap to the next that may free the start
+constexpr double kLiftError = 0.02;  ///< of the least overlap that frees a start
+constexpr double kToTryFirst = 3;    ///< times the least: with less there is hardly any room to move
 
 std::string goalOf(const Problem& problem) {
     if (!problem.outside) return shownState(problem.goal);
@@ -171,37 +172,30 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
                  scenes.modelOf(environment, range), range);
 }
 
-double liftTolerance(const Problem& problem, double overlap) {
-    return problem.rules.overlap.tolerance.value_or(kLiftTolerance * overlap);
-}
-
 /// Why the start is not valid with this overlap.
 WhyInvalid whyStartIsInvalid(Problem problem, ProblemScenes& scenes, double overlap) {
-    OverlapRules& rules = problem.rules.overlap;
-    rules.common = overlap;
-    rules.tolerance = liftTolerance(problem, overlap);
-    try {
-        const SceneClearance clearance(scenes.wholeScene(problem));
-        return clearance.whyInvalid(poseOf(problem.start));
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("no overlap is found that frees the start; tried: " +
-                                    std::string(error.what()));
+    problem.rules.overlap.common = overlap;
+    const SceneClearance clearance(scenes.wholeScene(problem));
+    return clearance.whyInvalid(poseOf(problem.start));
+}
+
+/// The least overlap that frees the start, to kLiftError; none up to `most`.
+std::optional<double> leastLift(const Problem& problem, ProblemScenes& scenes, double most) {
+    const auto isFree = [&](double overlap) { return whyStartIsInvalid(problem, scenes, overlap).isValid(); };
+    if (!isFree(most)) return std::nullopt;
+    double enough = most, least = 0;
+    while (enough > kLeastLift * most && least == 0) {
+        const double next = kLiftStep * enough;
+        (isFree(next) ? enough : least) = next;
     }
+    while (least > 0 && enough - least > kLiftError * enough) {
+        const double middle = std::sqrt(least * enough);
+        (isFree(middle) ? enough : least) = middle;
+    }
+    return awayFromZero(enough, 3);
 }
 
-/// For a start at which surfaces only touch.
-void printSmallLift(const Problem& problem, ProblemScenes& scenes, double partSize) {
-    const double overlap = awayFromZero(kSmallLift * partSize, 3);
-    const WhyInvalid why = whyStartIsInvalid(problem, scenes, overlap);
-    if (!why.isValid())
-        return printRow("lift",
-                        "overlap = " + depthText(overlap) + " does not free the start: " + why.words());
-    facts()["lift"] = {{"overlap", toJson(overlap)}};
-    printRow("lift", "overlap = " + depthText(overlap) +
-                         " frees the start, as every other one does: parts only touch");
-}
-
-/// Says how deep obstacles reach into the part at the start, and which overlap frees the start.
+/// Says how deep obstacles reach into the part at the start, and which overlaps free the start.
 void describeLift(const std::string& file) {
     Problem problem = readJudged(file);
     tellProblem(problem);
@@ -211,42 +205,21 @@ void describeLift(const std::string& file) {
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
     problem.margin = 0;
     problem.rules.margins.clear();
-    problem.rules.overlap.common = 0;
-    problem.rules.overlap.byName.clear();
-    problem.rules.overlap.isThinAllowed = true;
-    if (overlaps.empty()) {
-        const SceneClearance clearance(scenes.wholeScene(problem));
-        const WhyInvalid why = clearance.whyInvalid(poseOf(problem.start));
-        printRow("start",
-                 "no obstacle reaches into the part" + (why.isValid() ? "" : ", but " + why.words()));
-        if (why.kind == WhyInvalid::Kind::kCollides)
-            printSmallLift(problem, scenes, clearance.scene().part.box().diagonal().norm());
-        return;
-    }
-    double least = 0, enough = 0;
-    for (const FoundOverlap& found : overlaps) enough = std::max(enough, found.deepest.upper);
-    enough = awayFromZero(enough, 3);
-    WhyInvalid why = whyStartIsInvalid(problem, scenes, enough);
-    for (int doublings = 0; !why.isValid() && doublings < kMostDoublings; ++doublings) {
-        least = enough;
-        enough *= 2;
-        why = whyStartIsInvalid(problem, scenes, enough);
-    }
-    if (!why.isValid())
-        throw std::invalid_argument("no overlap up to " + shownLength(enough) +
-                                    " frees the start: " + why.words());
-    const bool isFromSearch = least > 0;
-    while (isFromSearch && enough - least > kLiftError * enough) {
-        const double middle = awayFromZero(0.5 * (least + enough), 3);
-        (whyStartIsInvalid(problem, scenes, middle).isValid() ? enough : least) = middle;
-    }
-    facts()["lift"] = {{"overlap", toJson(enough)}};
-    if (isFromSearch) facts()["lift"]["tolerance"] = toJson(liftTolerance(problem, enough));
-    printRow("lift",
-             "overlap = " + depthText(enough) +
-                 (isFromSearch ? " with overlap.tolerance = " + depthText(liftTolerance(problem, enough))
-                               : std::string()) +
-                 " frees the start");
+    problem.rules.overlap = {};
+    const SceneClearance clearance(scenes.wholeScene(problem));
+    const WhyInvalid why = clearance.whyInvalid(poseOf(problem.start));
+    if (overlaps.empty())
+        printRow("start", "no obstacle reaches into the part" + (why.isValid() ? "" : ", but " + why.words()));
+    if (why.kind != WhyInvalid::Kind::kCollides) return;
+    const double most = kMostLift * clearance.scene().part.box().diagonal().norm();
+    const std::optional<double> least = leastLift(problem, scenes, most);
+    if (!least)
+        throw std::invalid_argument("no overlap up to " + shownLength(most) + ", a hundredth of the part's size, frees the start: " +
+                                    whyStartIsInvalid(problem, scenes, most).words());
+    const double first = awayFromZero(kToTryFirst * *least, 3);
+    facts()["lift"] = {{"overlap", toJson(*least)}, {"try_first", toJson(first)}};
+    printRow("frees the start", "overlap = " + depthText(*least));
+    printRow("to try first", "overlap = " + depthText(first));
 }
 
 }  // namespace

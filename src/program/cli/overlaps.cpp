@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "mesh/components.h"
@@ -74,26 +74,20 @@ std::vector<FoundOverlap> findOverlaps(const Mesh& part, const OverlapMeter& met
 
 std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                                         const std::vector<PartState>& path) {
-    std::map<double, double> tolerances;
-    double least = std::numeric_limits<double>::infinity(), leastTolerance = least;
+    double least = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : scene.obstacles) {
-        if (!obstacle.shrunk) continue;
-        tolerances[obstacle.shrunk->overlap] = obstacle.shrunk->tolerance;
-        least = std::min(least, obstacle.shrunk->overlap);
-        leastTolerance = std::min(leastTolerance, obstacle.shrunk->tolerance);
+        if (obstacle.shrunk) least = std::min(least, obstacle.shrunk->overlap);
     }
-    if (tolerances.empty()) return {};
+    if (std::isinf(least)) return {};
     const report::PathLine line(path, scene.part.radiusAboutOrigin());
     std::vector<PosedAt> poses;
     for (const double share : report::evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
     const ObstacleGroups obstacles = obstaclesOf(problem, meshes.worlds);
     std::vector<Piece> pieces;
     for (const ObstacleGroup& group : obstacles.groups) {
-        if (group.overlap > 0)
-            addComponents(group.mesh, group.overlap + tolerances.at(group.overlap), pieces);
+        if (group.overlap > 0) addComponents(group.mesh, group.overlap, pieces);
     }
-    return findOverlaps(meshes.part, OverlapMeter(meshes.part, leastTolerance), pieces, poses,
-                        kShareOfInterest * least);
+    return findOverlaps(meshes.part, OverlapMeter(meshes.part), pieces, poses, kShareOfInterest * least);
 }
 
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes) {

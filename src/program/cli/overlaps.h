@@ -15,7 +15,7 @@ struct FoundOverlap {
     std::string obstacle;  ///< name of the component
     double share = 0;      ///< of the path, where it is deepest
     DeepestPoint deepest;
-    double allowed = 0;  ///< the overlap and its tolerance
+    double allowed = 0;  ///< the overlap
 };
 
 /// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest

@@ -140,7 +140,6 @@ void tellScene(const Scene& scene) {
         fact.value["margin"] = toJson(obstacle.margin);
         if (obstacle.shrunk) {
             fact.value["overlap"] = toJson(obstacle.shrunk->overlap);
-            fact.value["overlap_tolerance"] = toJson(obstacle.shrunk->tolerance);
         }
         fact = obstacleFact(components, obstacle.model.report().triangles,
                             obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle, fact.value);

@@ -21,7 +21,7 @@ namespace {
 namespace ob = ompl::base;
 
 constexpr double kLeastOverlapPerDiagonal = 0.002;
-constexpr double kMoreThanDepth = 1.02;  ///< depths are known to 1 %
+constexpr double kMoreThanDepth = 1.35;  ///< faces move inwards by three quarters of the overlap
 constexpr double kNextOverlap = 1.1;     ///< where the shrunk part still touches: the next one tried
 constexpr int kMostOverlaps = 12;
 constexpr int kDirections = 1000;
@@ -83,7 +83,7 @@ int straightPaths(const Problem& problem, const Scene& scene) {
 struct Prepared {
     std::optional<Scene> scene;
     std::size_t triangles = 0, touching = 0;
-    double depth = 0, overlap = 0, tolerance = 0;
+    double depth = 0, overlap = 0;
 };
 
 /// Sets the problem's overlaps so that its start is free, and loads its scene.
@@ -107,10 +107,8 @@ Prepared prepare(Problem& problem) {
         prepared.scene = loadScene(problem).scene;
         return prepared;
     }
-    prepared.tolerance = kLeastOverlapPerDiagonal * part.box().diagonal().norm();
-    prepared.overlap = std::max(kMoreThanDepth * prepared.depth, prepared.tolerance);
-    problem.rules.overlap.tolerance = prepared.tolerance;
-    problem.rules.overlap.isThinAllowed = true;
+    prepared.overlap =
+        std::max(kMoreThanDepth * prepared.depth, kLeastOverlapPerDiagonal * part.box().diagonal().norm());
     for (int i = 0; i < kMostOverlaps; ++i, prepared.overlap *= kNextOverlap) {
         for (const std::string& name : names) problem.rules.overlap.byName[name] = prepared.overlap;
         prepared.scene = loadScene(problem).scene;
@@ -148,7 +146,7 @@ std::string runPart(const Assembly& assembly, std::size_t part, double seconds, 
     std::replace(note.begin(), note.end(), ',', ';');
     std::replace(report.foundBy.begin(), report.foundBy.end(), ',', ';');
     std::string row = std::to_string(prepared.triangles) + "," + std::to_string(prepared.touching);
-    for (const double value : {prepared.depth, prepared.overlap, prepared.tolerance, preparing}) {
+    for (const double value : {prepared.depth, prepared.overlap, preparing}) {
         row += "," + shortNumber(value);
     }
     return row + "," + (isFound ? "1," : "0,") + shortNumber(report.planningSeconds) + "," + report.foundBy +

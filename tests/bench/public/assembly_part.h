@@ -8,7 +8,7 @@
 namespace clearway::testing::public_problems {
 
 constexpr const char* kPartColumns =
-    "triangles,touching,depth,overlap,tolerance,preparing_seconds,found,seconds,found_by,clearance,straight,"
+    "triangles,touching,depth,overlap,preparing_seconds,found,seconds,found_by,clearance,straight,"
     "note";
 
 /// Plans one part out of all others to a goal outside, by `clearway plan`'s defaults with seed 1. Obstacles that

@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(nothing_is_proved_where_a_way_may_lead_out) {
     BOOST_TEST(!ignored.plan().shutIn);
     Case shrunk;
     shrunk.scene.obstacles[0].shrunk =
-        shrunkModel(shrink(testing::box({0.5, 0.5, 0.5}), {0.1, 0.01}),
-                    Model::build(shrink(testing::box({0.5, 0.5, 0.5}), {0.1, 0.01}).mesh));
+        shrunkModel(shrink(testing::box({0.5, 0.5, 0.5}), {0.1}),
+                    Model::build(shrink(testing::box({0.5, 0.5, 0.5}), {0.1}).mesh));
     BOOST_TEST(!shrunk.plan().shutIn);
 }
 

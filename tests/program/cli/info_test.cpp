@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(problems_that_are_wrong_are_refused) {
     folder.write("a.cfg", without(kProblem, "start.x") + "start.x = abc\n");
     requireRefused(folder, "info a.cfg", {"a.cfg:18", "start.x", "'abc'", "expected a finite number"});
     folder.write("a.cfg", kProblem + "[clearway]\nsolids = wall\n");
-    requireRefused(folder, "info a.cfg", {"a.cfg:20", "solids", "'solid'", "overlap.tolerance, reading"});
+    requireRefused(folder, "info a.cfg", {"a.cfg:20", "solids", "'solid'", "overlap.NAME, reading"});
     requireRefused(folder, "info none.cfg", {"none.cfg", "expected a problem file"});
     folder.write("a.cfg", kProblem);
     std::filesystem::remove(folder.file("environment.obj"));

@@ -1,7 +1,6 @@
-#include "isosurface/cut_surface.h"
+#include "swept/cut_surface.h"
 
 #include <algorithm>
-#include <map>
 #include <unordered_map>
 
 namespace clearway {
@@ -15,23 +14,17 @@ std::uint64_t edgeKey(const CutEdge& edge) {
 
 class Cutting {
   public:
-    Cutting(const Tetrahedra& tetrahedra, const std::vector<double>& heights, const SurfacePoints& points)
-        : tetrahedra_(tetrahedra), heights_(heights), points_(points) {}
+    Cutting(const Tetrahedra& tetrahedra, const std::vector<double>& heights, const PointOnEdge& pointOn)
+        : tetrahedra_(tetrahedra), heights_(heights), pointOn_(pointOn) {}
 
     void cut(std::uint32_t number) {
         const Tetrahedron& tetrahedron = tetrahedra_.all()[number];
         for (const auto& outline : outlinesIn(tetrahedra_, tetrahedron, heights_)) {
             std::vector<std::uint32_t> corners;
-            for (std::size_t i = 0; i < outline.size(); ++i) {
-                corners.push_back(at(outline[i]));
-                if (const auto corner = between(outline[i], outline[(i + 1) % outline.size()]))
-                    corners.push_back(*corner);
-            }
+            for (const CutEdge& edge : outline) corners.push_back(at(edge));
             const int count = int(corners.size());
-            const bool isPlain = corners.size() == outline.size() && tetrahedra_.hasWholeEdges(tetrahedron);
-            for (const auto& [a, b, c] : filling(count, isPlain)) {
-                if (c == count && int(corners.size()) == count)
-                    corners.push_back(add(points_.amid ? points_.amid(number) : mean(corners)));
+            for (const auto& [a, b, c] : filling(count, tetrahedra_.hasWholeEdges(tetrahedron))) {
+                if (c == count && int(corners.size()) == count) corners.push_back(add(mean(corners)));
                 surface_.mesh.triangles.push_back({corners[a], corners[b], corners[c]});
                 surface_.tetrahedra.push_back(number);
             }
@@ -48,23 +41,13 @@ class Cutting {
 
     std::uint32_t at(const CutEdge& edge) {
         const auto [entry, isNew] = onEdges_.try_emplace(edgeKey(edge), 0);
-        if (isNew) entry->second = add(pointOn(edge));
+        if (isNew) entry->second = add(pointOn_ ? pointOn_(edge) : cutAt(edge));
         return entry->second;
     }
 
-    Vector3 pointOn(const CutEdge& edge) const {
-        if (points_.onEdge) return points_.onEdge(edge);
+    Vector3 cutAt(const CutEdge& edge) const {
         const auto& v = tetrahedra_.vertices();
         return cutPoint(v[edge.inner], heights_[edge.inner], v[edge.outer], heights_[edge.outer]);
-    }
-
-    std::optional<std::uint32_t> between(const CutEdge& from, const CutEdge& to) {
-        if (!points_.between) return std::nullopt;
-        const std::optional<Vector3> point = points_.between(from, to);
-        if (!point) return std::nullopt;
-        const auto [entry, isNew] = corners_.try_emplace(std::minmax(edgeKey(from), edgeKey(to)), 0);
-        if (isNew) entry->second = add(*point);
-        return entry->second;
     }
 
     Vector3 mean(const std::vector<std::uint32_t>& corners) const {
@@ -75,9 +58,8 @@ class Cutting {
 
     const Tetrahedra& tetrahedra_;
     const std::vector<double>& heights_;
-    const SurfacePoints& points_;
+    const PointOnEdge& pointOn_;
     std::unordered_map<std::uint64_t, std::uint32_t> onEdges_;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> corners_;
     CutSurface surface_;
 };
 
@@ -146,8 +128,8 @@ Vector3 cutPoint(const Vector3& inner, double innerHeight, const Vector3& outer,
 }
 
 CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,
-                      const SurfacePoints& points) {
-    Cutting cutting(tetrahedra, heights, points);
+                      const PointOnEdge& pointOn) {
+    Cutting cutting(tetrahedra, heights, pointOn);
     for (std::uint32_t i = 0; i < tetrahedra.all().size(); ++i) cutting.cut(i);
     return cutting.take();
 }

@@ -1,11 +1,11 @@
-#include "isosurface/tetrahedra.h"
+#include "swept/tetrahedra.h"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
 
-#include "isosurface/cut_surface.h"
+#include "swept/cut_surface.h"
 #include "mesh/topology.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"

@@ -6,11 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "clearway/mesh.h"
-#include "isosurface/tetrahedra.h"
+#include "swept/tetrahedra.h"
 
 namespace clearway {
 
@@ -42,20 +41,11 @@ std::vector<std::vector<CutEdge>> outlinesIn(const Tetrahedra& tetrahedra, const
 /// neighbour's surface may have it too.
 std::vector<std::array<int, 3>> filling(int corners, bool isPlain);
 
-/// Where the surface lies; what is not given is as the comments say.
-struct SurfacePoints {
-    /// The point at which it crosses an edge: that of cutPoint().
-    std::function<Vector3(const CutEdge& edge)> onEdge;
+/// The point at which the surface crosses an edge.
+using PointOnEdge = std::function<Vector3(const CutEdge& edge)>;
 
-    /// A corner between two neighbours in an outline, which lie on two edges of one triangle: none.
-    std::function<std::optional<Vector3>(const CutEdge& from, const CutEdge& to)> between;
-
-    /// The point amid the surface in a tetrahedron: the mean of the outline's points.
-    std::function<Vector3(std::uint32_t tetrahedron)> amid;
-};
-
-/// heights: one for each vertex, at least 0 inside.
+/// heights: one for each vertex, at least 0 inside. pointOn: that of cutPoint() where none is given.
 CutSurface cutSurface(const Tetrahedra& tetrahedra, const std::vector<double>& heights,
-                      const SurfacePoints& points = {});
+                      const PointOnEdge& pointOn = {});
 
 }  // namespace clearway

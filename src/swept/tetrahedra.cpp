@@ -1,4 +1,4 @@
-#include "isosurface/tetrahedra.h"
+#include "swept/tetrahedra.h"
 
 #include <algorithm>
 #include <cmath>
