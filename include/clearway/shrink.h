@@ -34,8 +34,9 @@ class ShrinkStopped : public std::runtime_error {
 /// Places where a shrunk part allows less than 0.6 of the overlap: at walls of the part that are thinner than about twice the overlap,
 /// along sharp edges, and in few corners that no mitre fits.
 struct ThinPlaces {
-    std::size_t count = 0;        ///< vertices of the part, or of faces whose corners were cut off
-    double leastOverlap = 0;      ///< the least that is allowed at a vertex; mesh units; the whole overlap without such places
+    std::size_t count = 0;  ///< vertices of the part, or of faces whose corners were cut off
+    double leastOverlap =
+        0;  ///< the least that is allowed at a vertex; mesh units; the whole overlap without such places
     Vector3 at = Vector3::Zero();  ///< where that is; the part's mesh coordinates
 };
 
@@ -44,9 +45,10 @@ struct ThinPlaces {
 /// three quarters of the overlap is free. The surface may pass through itself.
 struct ShrunkPart {
     Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
-    ShrinkOptions options;                     ///< as given, but for isStopped
-    std::vector<std::uint32_t> partTriangles;  ///< for each triangle the one of the part's mesh that it comes from
-    ThinPlaces thin;
+    ShrinkOptions options;  ///< as given, but for isStopped
+    std::vector<std::uint32_t>
+        partTriangles;  ///< for each triangle the one of the part's mesh that it comes from
+    ThinPlaces thin;    ///< where less than the overlap is allowed
 };
 
 /// Shrinks the part: its faces move inwards by three quarters of the overlap, and mitres join them. Throws ArgumentError, naming what is

@@ -12,8 +12,8 @@
 namespace clearway {
 namespace {
 
-constexpr double kMostSmaller = 1000;    ///< a part that is smaller than its surroundings by this factor, and
-constexpr double kMostLarger = 10;       ///< one that is larger by this factor, may be in another unit
+constexpr double kMostSmaller = 1000;  ///< a part that is smaller than its surroundings by this factor, and
+constexpr double kMostLarger = 10;     ///< one that is larger by this factor, may be in another unit
 
 }  // namespace
 
@@ -48,7 +48,8 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
         if (thin.count > 0)
             notes.push_back(fmt::format(
                 "overlap = {}: {} of the part allow{} less, at least {}, near {} (part coordinates)",
-                shortNumber(overlap), thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count),
+                shortNumber(overlap),
+                thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count),
                 thin.count == 1 ? "s" : "", roundedNumber(thin.leastOverlap), roundedPoint(thin.at)));
     }
     return all;

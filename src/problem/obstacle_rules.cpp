@@ -57,8 +57,10 @@ OverlapRules readOverlap(ConfigValues& values) {
     if (!(rules.common >= 0)) values.refuse("clearway.overlap", "a number of at least 0");
     for (const char* key : {"clearway.overlap.tolerance", "clearway.overlap.thin"}) {
         if (values.has(key))
-            values.refuse(key, "no such key, since no point lies deeper than the overlap itself and thin places are only told "
-                               "(an obstacle of that name stands in quotes)");
+            values.refuse(key,
+                          "no such key, since no point lies deeper than the overlap itself and thin places "
+                          "are only told "
+                          "(an obstacle of that name stands in quotes)");
     }
     readLengths(values, kOverlap, rules.byName);
     return rules;

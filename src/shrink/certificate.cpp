@@ -5,16 +5,16 @@
 namespace clearway {
 namespace {
 
-constexpr int kMostCuts = 400;               ///< of one prism
+constexpr int kMostCuts = 60;                   ///< of one prism
 constexpr double kLeastTetrahedron = 1.0 / 60;  ///< of the most move
-constexpr double kShorter = 0.7;             ///< a move that is not certified is shortened to this
+constexpr double kShorter = 0.7;                ///< a move that is not certified is shortened to this
 
 using Tetrahedron = std::array<Vector3, 4>;
 
 class Certificate {
   public:
-    Certificate(const OrientedSurface& surface, NearestTriangle& nearest, const OrientedSurface& nearestSurface,
-                double most, const MovedSurface& moved)
+    Certificate(const OrientedSurface& surface, NearestTriangle& nearest,
+                const OrientedSurface& nearestSurface, double most, const MovedSurface& moved)
         : surface_(surface), nearest_(nearest), nearestSurface_(nearestSurface), most_(most), moved_(moved) {}
 
     bool holds(const MovedTriangle& triangle) {
@@ -27,6 +27,9 @@ class Certificate {
             isShort = isShort && place.move.norm() <= most_;
         }
         if (isShort || isNearOneFace(triangle, to)) return true;
+        const auto isTooFar = [&](const Vector3& point) { return nearest_.of(point).distance > most_; };
+        if (isTooFar((to[0] + to[1] + to[2]) / 3) || std::any_of(to.begin(), to.end(), isTooFar))
+            return false;
         // Neighbours have to cut the side that they share alike: by the order of the places.
         std::array<std::size_t, 3> order{0, 1, 2};
         std::sort(order.begin(), order.end(),
@@ -38,14 +41,10 @@ class Certificate {
     }
 
   private:
-    Corners3 corners(std::uint32_t triangle) const {
-        return {surface_.corner(triangle, 0), surface_.corner(triangle, 1), surface_.corner(triangle, 2)};
-    }
-
     /// Whether one face that has the corners where the triangle came from is near enough to all places.
     bool isNearOneFace(const MovedTriangle& triangle, const std::array<Vector3, 3>& to) const {
         const auto isNearAll = [&](std::uint32_t face) {
-            const Corners3 c = corners(face);
+            const Corners3 c = surface_.corners(face);
             return std::all_of(to.begin(), to.end(),
                                [&](const Vector3& place) { return distanceToTriangle(place, c) <= most_; });
         };
@@ -67,8 +66,7 @@ class Certificate {
     bool isNear(const Tetrahedron& t) {
         if (cuts_-- <= 0) return false;
         const std::uint32_t triangle = nearest_.of(0.25 * (t[0] + t[1] + t[2] + t[3])).triangle;
-        const Corners3 face = {nearestSurface_.corner(triangle, 0), nearestSurface_.corner(triangle, 1),
-                               nearestSurface_.corner(triangle, 2)};
+        const Corners3 face = nearestSurface_.corners(triangle);
         std::size_t worst = 0;
         double farthest = -1;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -153,9 +151,10 @@ std::vector<bool> certifyMoves(const OrientedSurface& surface, NearestTriangle& 
         isWaiting[t] = false;
         if (certificate.holds(moved.triangles[t])) continue;
         const auto& places = moved.triangles[t].places;
-        const std::uint32_t worst = *std::max_element(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return moved.places[a].move.norm() < moved.places[b].move.norm();
-        });
+        const std::uint32_t worst =
+            *std::max_element(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return moved.places[a].move.norm() < moved.places[b].move.norm();
+            });
         Vector3& move = moved.places[worst].move;
         const double length = move.norm();
         constexpr double kJustWithin = 1 - 1e-12;

@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shrink/nearest_triangle.h"
+
 namespace clearway {
 namespace {
 
-constexpr double kSliver = 0.02;        ///< of the faces' move: lower triangles take a neighbour's normal,
-constexpr double kFlatSliver = 1e-7;    ///< and those that are lower by this share of their longest edge
-constexpr int kNormalRounds = 8;        ///< a sliver's neighbour may be a sliver, too
-constexpr double kLongestMove = 100;    ///< times the depth; faces that need more meet like the two sides of a sheet
-constexpr double kTooShallow = 0.98;    ///< of the faces' move
-constexpr double kShallowWeight = 100;  ///< a place that is too shallow is so many times as bad as one that is too deep
+constexpr double kLowSliver = 0.02;   ///< of the faces' move: lower triangles take a neighbour's normal,
+constexpr double kFlatSliver = 1e-7;  ///< and those that are lower by this share of their longest edge
+constexpr int kNormalRounds = 8;      ///< a sliver's neighbour may be a sliver, too
+constexpr double kLongestMove =
+    100;  ///< times the depth; faces that need more meet like the two sides of a sheet
+constexpr double kTooShallow = 0.98;  ///< of the faces' move
+constexpr double kShallowWeight =
+    100;  ///< a place that is too shallow is so many times as bad as one that is too deep
 constexpr int kMostSplits = 4;          ///< of the faces around a vertex that have one place
 constexpr std::size_t kMostTried = 24;  ///< faces of a vertex for all pairs of cuts to be tried
 constexpr double kAlike = 1e-9;         ///< between the normals of faces in one plane
@@ -25,13 +29,6 @@ Vector3 between(const Vector3& a, const Vector3& b, double share) {
     const double angle = angleBetween(a, b);
     if (angle < kAlike) return a;
     return ((std::sin((1 - share) * angle) * a + std::sin(share * angle) * b) / std::sin(angle)).normalized();
-}
-
-double distanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b) {
-    const Vector3 along = b - a;
-    const double lengthSquared = along.squaredNorm();
-    const double s = lengthSquared > 0 ? std::clamp(along.dot(point - a) / lengthSquared, 0.0, 1.0) : 0.0;
-    return (point - (a + s * along)).norm();
 }
 
 class Mitres {
@@ -80,12 +77,12 @@ class Mitres {
         normals_.assign(count, Vector3::Zero());
         std::vector<std::uint32_t> slivers, sides;
         for (std::uint32_t t = 0; t < count; ++t) {
-            const Vector3 &a = surface_.corner(t, 0), &b = surface_.corner(t, 1), &c = surface_.corner(t, 2);
+            const auto [a, b, c] = surface_.corners(t);
             const Vector3 normal = (b - a).cross(c - a);
             const std::array<double, 3> lengths = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
             const auto longest = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
             const double length = lengths[static_cast<std::size_t>(longest)], height = normal.norm() / length;
-            if (height > std::max(kSliver * depths_.face, kFlatSliver * length)) {
+            if (height > std::max(kLowSliver * depths_.face, kFlatSliver * length)) {
                 normals_[t] = normal.normalized();
             } else {
                 slivers.push_back(t);
@@ -158,7 +155,8 @@ class Mitres {
     }
 
     bool isWhole(const Cluster& cluster) const {
-        return cluster.count == ring_.size() && !gaps_[(cluster.first + cluster.count - 1) % ring_.size()].isCut;
+        return cluster.count == ring_.size() &&
+               !gaps_[(cluster.first + cluster.count - 1) % ring_.size()].isCut;
     }
 
     /// The normals of the faces, and across each cut those of the next plane.
@@ -166,7 +164,8 @@ class Mitres {
         std::vector<Vector3> planes;
         const auto take = [&](const Vector3& normal) {
             const auto isAlike = [&](const Vector3& other) { return (other - normal).norm() <= kAlike; };
-            if (!normal.isZero() && std::none_of(planes.begin(), planes.end(), isAlike)) planes.push_back(normal);
+            if (!normal.isZero() && std::none_of(planes.begin(), planes.end(), isAlike))
+                planes.push_back(normal);
         };
         for (std::size_t i = 0; i < count; ++i) take(normalAt(first + i));
         if (!isWholeRing) {
@@ -187,8 +186,7 @@ class Mitres {
     }
 
     Cluster clusterOf(std::size_t first, std::size_t count) const {
-        const bool isWholeRing =
-            count == ring_.size() && !gaps_[(first + count - 1) % ring_.size()].isCut;
+        const bool isWholeRing = count == ring_.size() && !gaps_[(first + count - 1) % ring_.size()].isCut;
         Cluster cluster{first % ring_.size(), count, moveBy(planesOf(first, count, isWholeRing)), 0};
         cluster.badness = badnessOf(cluster);
         return cluster;
@@ -224,22 +222,14 @@ class Mitres {
     }
 
     double distanceTo(const Vector3& point, std::uint32_t triangle) const {
-        const Vector3 &a = surface_.corner(triangle, 0), &b = surface_.corner(triangle, 1),
-                      &c = surface_.corner(triangle, 2);
-        const Vector3& normal = normals_[triangle];
-        const bool isAbove = normal.dot((b - a).cross(point - a)) >= 0 &&
-                             normal.dot((c - b).cross(point - b)) >= 0 &&
-                             normal.dot((a - c).cross(point - c)) >= 0;
-        if (isAbove) return std::abs(normal.dot(point - a));
-        return std::min({distanceToSegment(point, a, b), distanceToSegment(point, b, c),
-                         distanceToSegment(point, c, a)});
+        return distanceToTriangle(point, surface_.corners(triangle));
     }
 
     /// Splits the worst cluster where that helps most. Returns false when there is nothing to gain.
     bool splitWorst() {
-        const auto worst = std::max_element(clusters_.begin(), clusters_.end(), [](const Cluster& a, const Cluster& b) {
-            return a.badness < b.badness;
-        });
+        const auto worst =
+            std::max_element(clusters_.begin(), clusters_.end(),
+                             [](const Cluster& a, const Cluster& b) { return a.badness < b.badness; });
         if (worst->badness <= 0 || ring_.size() < 2) return false;
         const Cluster cluster = *worst;
         const std::size_t size = ring_.size();
@@ -310,8 +300,7 @@ class Mitres {
         Vector3 mean = Vector3::Zero();
         for (const std::uint32_t place : around) mean += moved_.places[place].move.normalized();
         const std::uint32_t middle = addPlace(depths_.face * mean.normalized());
-        for (std::size_t i = 0; i < count; ++i)
-            add({middle, around[i], around[(i + 1) % count]}, ring_[0]);
+        for (std::size_t i = 0; i < count; ++i) add({middle, around[i], around[(i + 1) % count]}, ring_[0]);
     }
 
     /// The strip between the two faces at an edge, with the places at each of its ends.
@@ -326,8 +315,9 @@ class Mitres {
         std::reverse(tail.begin(), tail.end());
         std::size_t h = 0, t = 0;
         while (h + 1 < head.size() || t + 1 < tail.size()) {
-            const bool isTail = h + 1 == head.size() ||
-                                (t + 1 < tail.size() && (t + 1) * (head.size() - 1) <= (h + 1) * (tail.size() - 1));
+            const bool isTail =
+                h + 1 == head.size() ||
+                (t + 1 < tail.size() && (t + 1) * (head.size() - 1) <= (h + 1) * (tail.size() - 1));
             if (isTail) {
                 add({head[h], tail[t], tail[t + 1]}, side);
                 ++t;
@@ -342,8 +332,9 @@ class Mitres {
     const MitreDepths depths_;
     const double widest_;  ///< turn of a concave edge that needs no bevel
     std::vector<Vector3> normals_;
-    std::vector<std::vector<std::uint32_t>> chains_;  ///< for each side the places at its end, from face to face; empty: one place
-    std::vector<std::uint32_t> placeOf_;              ///< of each corner, named by the side that leaves it
+    std::vector<std::vector<std::uint32_t>>
+        chains_;  ///< for each side the places at its end, from face to face; empty: one place
+    std::vector<std::uint32_t> placeOf_;  ///< of each corner, named by the side that leaves it
     MovedSurface moved_;
 
     std::uint32_t vertex_ = 0;  ///< the one that moves
@@ -354,13 +345,16 @@ class Mitres {
 
 }  // namespace
 
+MovedSurface mitred(const OrientedSurface& surface, const MitreDepths& depths) {
+    return Mitres(surface, depths).run();
+}
+
 /// At the shortest move one to three planes are just kept, which decide it.
 std::optional<Vector3> shortestMove(const std::vector<Vector3>& normals, double depth) {
     const std::size_t count = normals.size();
     const auto isKept = [&](const Vector3& move) {
-        return std::all_of(normals.begin(), normals.end(), [&](const Vector3& normal) {
-            return normal.dot(move) <= -(1 - kAlike) * depth;
-        });
+        return std::all_of(normals.begin(), normals.end(),
+                           [&](const Vector3& normal) { return normal.dot(move) <= -(1 - kAlike) * depth; });
     };
     for (const Vector3& normal : normals) {
         if (isKept(-depth * normal)) return -depth * normal;

@@ -1,16 +1,14 @@
 // The nearest triangle of a surface.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "clearway/mesh.h"
 #include "clearway/model.h"
 #include "clearway/query.h"
+#include "shrink/oriented_surface.h"
 
 namespace clearway {
-
-using Corners3 = std::array<Vector3, 3>;
 
 /// The distance from the point to the nearest point of the triangle, or to that of its edges if the triangle is a
 /// sliver. Never less than the distance, except for rounding.

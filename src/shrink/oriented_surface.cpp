@@ -85,7 +85,8 @@ class FaceDivision {
     /// Infinite for a corner on an edge.
     double areaAt(std::size_t i) const {
         constexpr double kStraight = 1e-9;
-        const Vector3 &a = vertices_[at(i + around_.size() - 1)], &b = vertices_[at(i)], &c = vertices_[at(i + 1)];
+        const Vector3 &a = vertices_[at(i + around_.size() - 1)], &b = vertices_[at(i)],
+                      &c = vertices_[at(i + 1)];
         const Vector3 one = b - a, two = c - b;
         const double area = one.cross(two).norm();
         return area > kStraight * one.norm() * two.norm() ? area : std::numeric_limits<double>::infinity();
@@ -99,19 +100,18 @@ class FaceDivision {
 
 void OrientedSurface::findNeighbours() {
     across.assign(3 * triangles.size(), 0);
-    const auto edgeOf = [&](std::uint32_t side) { return std::minmax(from(side), to(side)); };
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    const auto edgeOf = [&](std::uint32_t side) { return Edge(std::minmax({from(side), to(side)})); };
     std::vector<std::uint32_t> order(across.size());
     for (std::uint32_t side = 0; side < order.size(); ++side) order[side] = side;
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(std::pair<std::uint32_t, std::uint32_t>(edgeOf(a)), a) <
-               std::pair(std::pair<std::uint32_t, std::uint32_t>(edgeOf(b)), b);
+        return std::pair(edgeOf(a), a) < std::pair(edgeOf(b), b);
     });
     std::vector<std::uint32_t> sides;
     for (std::size_t first = 0; first < order.size();) {
         sides.clear();
-        const std::pair<std::uint32_t, std::uint32_t> edge = edgeOf(order[first]);
-        while (first < order.size() && std::pair<std::uint32_t, std::uint32_t>(edgeOf(order[first])) == edge)
-            sides.push_back(order[first++]);
+        const Edge edge = edgeOf(order[first]);
+        while (first < order.size() && edgeOf(order[first]) == edge) sides.push_back(order[first++]);
         if (sides.size() == 2) {
             across[sides[0]] = sides[1];
             across[sides[1]] = sides[0];
@@ -125,7 +125,8 @@ OrientedSurface withCutCorners(const OrientedSurface& surface, const std::vector
     OrientedSurface cut;
     cut.vertices = surface.vertices;
     constexpr std::uint32_t kNone = 0;
-    std::vector<std::uint32_t> beside(surface.across.size(), kNone);  // the vertex near the beginning of a side
+    std::vector<std::uint32_t> beside(surface.across.size(),
+                                      kNone);  // the vertex near the beginning of a side
     for (std::uint32_t side = 0; side < beside.size(); ++side) {
         const std::uint32_t back = surface.across[side];
         for (const auto& [one, other] : {std::pair(side, back), std::pair(back, side)}) {

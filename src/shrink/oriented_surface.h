@@ -1,6 +1,7 @@
 // The closed surface of a part, as the triangles hang together.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "clearway/mesh.h"
 
 namespace clearway {
+
+using Corners3 = std::array<Vector3, 3>;
 
 /// Welded triangles that face outwards, with the neighbour across each side. Side 3 t + k leads from corner k of triangle t to the
 /// next one. Components keep vertices of their own, also where they touch.
@@ -23,8 +26,9 @@ struct OrientedSurface {
 
     std::uint32_t from(std::uint32_t side) const { return triangles[side / 3][side % 3]; }
     std::uint32_t to(std::uint32_t side) const { return from(nextSide(side)); }
-    const Vector3& corner(std::uint32_t triangle, int k) const {
-        return vertices[triangles[triangle][static_cast<std::size_t>(k)]];
+    Corners3 corners(std::uint32_t triangle) const {
+        const auto& [a, b, c] = triangles[triangle];
+        return {vertices[a], vertices[b], vertices[c]};
     }
 
     /// Pairs the sides anew; call it after triangles changed. Where more than two triangles meet at an edge, those are

@@ -23,6 +23,17 @@ struct TrianglePiece {
     bool operator<(const TrianglePiece& other) const { return most < other.most; }
 };
 
+/// The fastest tree of few triangles: one leaf.
+Model smallModel(const Mesh& mesh) {
+    BuildOptions options;
+    options.generalSplit = "mean";
+    options.fit = "covariance";
+    options.leafSplit = "none";
+    options.leafSize = kLargestLeafSize;
+    options.threads = 1;
+    return Model::build(mesh, options);
+}
+
 class DeepestSearch {
   public:
     DeepestSearch(const Mesh& part, const Model& surface, const std::vector<Solid>& solids,
@@ -102,7 +113,7 @@ class DeepestSearch {
         Mesh piece;
         piece.vertices.assign(corners.begin(), corners.end());
         piece.triangles = {{0, 1, 2}};
-        return !collides(Model::build(piece), nearest_.model(), {}, workspace_);
+        return !collides(smallModel(piece), nearest_.model(), {}, workspace_);
     }
 
     void halve(const TrianglePiece& piece) {

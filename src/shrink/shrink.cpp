@@ -17,11 +17,13 @@
 namespace clearway {
 namespace {
 
-constexpr double kFaceDepth = 0.75;    ///< of the overlap: how far faces move, which leaves the rest for corners
-constexpr double kRounding = 1e-11;    ///< of the largest coordinate: more than moves and distances are rounded by
-constexpr double kCornerReach = 6;     ///< face depths around a vertex whose move was shortened
-constexpr double kMitreReach = 1.5;    ///< of its move, if that is more
-constexpr double kThin = 0.6;          ///< of the overlap: where less is allowed, the place counts as thin
+constexpr double kFaceDepth =
+    0.75;  ///< of the overlap: how far faces move, which leaves the rest for corners
+constexpr double kRounding =
+    1e-11;  ///< of the largest coordinate: more than moves and distances are rounded by
+constexpr double kCornerReach = 6;   ///< face depths around a vertex whose move was shortened
+constexpr double kMitreReach = 1.5;  ///< of its move, if that is more
+constexpr double kThin = 0.6;        ///< of the overlap: where less is allowed, the place counts as thin
 
 void requireOverlap(double overlap) {
     if (overlap > 0 && std::isfinite(overlap)) return;
@@ -49,7 +51,8 @@ class Shrinking {
         depths_ = {kFaceDepth * options.overlap, options.overlap - rounding};
         if (!(depths_.most > depths_.face)) {
             throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected more than " +
-                                shortNumber(rounding / (1 - kFaceDepth)) + ", which coordinates are rounded by");
+                                shortNumber(rounding / (1 - kFaceDepth)) +
+                                ", which coordinates are rounded by");
         }
     }
 
@@ -94,8 +97,7 @@ class Shrinking {
         std::vector<double> lengths;
         for (const MovedVertex& place : moved_.places) lengths.push_back(place.move.norm());
         requireGoingOn();
-        const std::vector<bool> thin =
-            keepBeforeMiddles(surface, nearest_, whole_, depths_.face, moved_);
+        const std::vector<bool> thin = keepBeforeMiddles(surface, nearest_, whole_, depths_.face, moved_);
         requireGoingOn();
         const std::vector<bool> deep = certifyMoves(surface, nearest_, whole_, depths_.most, moved_);
         std::vector<double> reach(surface.vertices.size(), 0);

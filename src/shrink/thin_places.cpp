@@ -27,14 +27,14 @@ double shareBeforeMiddle(const Vector3& fromOther, const Vector3& move, double d
 
 double depthOf(const Vector3& place, NearestTriangle& nearest, const OrientedSurface& nearestSurface) {
     const NearestTriangle::Place found = nearest.of(place);
-    const Vector3 &a = nearestSurface.corner(found.triangle, 0), &b = nearestSurface.corner(found.triangle, 1),
-                  &c = nearestSurface.corner(found.triangle, 2);
+    const auto [a, b, c] = nearestSurface.corners(found.triangle);
     const bool isBehind = (b - a).cross(c - a).dot(place - found.point) <= 0;
     return isBehind ? found.distance : -found.distance;
 }
 
 std::vector<bool> keepBeforeMiddles(const OrientedSurface& surface, NearestTriangle& nearest,
-                                    const OrientedSurface& nearestSurface, double depth, MovedSurface& moved) {
+                                    const OrientedSurface& nearestSurface, double depth,
+                                    MovedSurface& moved) {
     std::vector<bool> isShortened(moved.places.size(), false);
     for (std::size_t i = 0; i < moved.places.size(); ++i) {
         const Vector3& vertex = surface.vertices[moved.places[i].vertex];
@@ -43,13 +43,11 @@ std::vector<bool> keepBeforeMiddles(const OrientedSurface& surface, NearestTrian
         for (int k = 0; k < kMostBalls; ++k) {
             const Vector3 place = vertex + share * move;
             const NearestTriangle::Place found = nearest.of(place);
-            const Vector3 &a = nearestSurface.corner(found.triangle, 0),
-                          &b = nearestSurface.corner(found.triangle, 1),
-                          &c = nearestSurface.corner(found.triangle, 2);
+            const auto [a, b, c] = nearestSurface.corners(found.triangle);
             const bool isOutside = (b - a).cross(c - a).dot(place - found.point) > 0;
             if (!isOutside && found.distance >= kDeepEnough * share * depth) break;
-            const double next = isOutside ? kOutside * share
-                                          : shareBeforeMiddle(vertex - found.point, move, depth, share);
+            const double next =
+                isOutside ? kOutside * share : shareBeforeMiddle(vertex - found.point, move, depth, share);
             const bool isSettled = next >= (1 - kSettled) * share;
             share = next;
             if (isSettled) break;

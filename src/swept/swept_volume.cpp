@@ -15,8 +15,8 @@
 #include "core/number.h"
 #include "core/parallel.h"
 #include "swept/cut_surface.h"
-#include "swept/tetrahedra.h"
 #include "swept/place_distances.h"
+#include "swept/tetrahedra.h"
 
 namespace clearway {
 namespace {

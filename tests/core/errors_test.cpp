@@ -81,10 +81,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_argument_is_an_argument_error) {
         {"an ending of no format", [&] { saveMesh(mesh, folder().file("soup.doc")); }},
         {"a negative margin", [&] { Obstacle(model, -1); }},
         {"a negative margin of a group", [&] { groupObstacles({mesh}, -1, {}); }},
-        {"a surface that is not closed",
-         [&] {
-             shrink(mesh, {0.1});
-         }},
+        {"a surface that is not closed", [&] { shrink(mesh, {0.1}); }},
         {"a swept volume without motions", [&] { sweptVolume(mesh, {}, within); }},
     });
 }

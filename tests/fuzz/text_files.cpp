@@ -39,8 +39,7 @@ void requireSameRules(const ObstacleRules& a, const ObstacleRules& b) {
     require(a.margins == b.margins, "margins by name survive");
     require(a.ignored == b.ignored, "ignored obstacles survive");
     require(a.isAllSolid == b.isAllSolid && a.solid == b.solid, "solids survive");
-    require(a.overlap.common == b.overlap.common && a.overlap.byName == b.overlap.byName,
-            "overlaps survive");
+    require(a.overlap.common == b.overlap.common && a.overlap.byName == b.overlap.byName, "overlaps survive");
     requireSame(a.startContact, b.startContact);
     requireSame(a.goalContact, b.goalContact);
 }

@@ -74,8 +74,9 @@ BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
     requireRefused("overlap = -1\n", {"overlap is '-1'", "a number of at least 0"});
     requireRefused("overlap.a = x\n", {"overlap.a is 'x'"});
     requireRefused("overlap.a = -2\n", {"a number of at least 0"});
-    requireRefused("overlap = 1\noverlap.tolerance = 0.1\n", {"no such key", "no point lies deeper than the overlap itself"});
-    requireRefused("overlap = 1\noverlap.thin = allow\n", {"no such key", "thin places are only told"});
+    requireRefused("overlap.tolerance = 0.1\n",
+                   {"no such key", "no point lies deeper than the overlap itself"});
+    requireRefused("overlap.thin = allow\n", {"no such key", "thin places are only told"});
     requireRefused("overlap.a,b = 1\n", {"overlap.NAME = X with each name once"});
     BOOST_TEST(holds(refusalBy([] { read(TemporaryFolder(), "w.stl", "margin.a = 1\nmargin.\"a\" = 2\n"); }),
                      "each name once"));
@@ -149,8 +150,7 @@ BOOST_AUTO_TEST_CASE(names_that_no_file_can_hold_are_not_written) {
 
 BOOST_AUTO_TEST_CASE(overlaps_are_read_and_written_back) {
     const TemporaryFolder folder;
-    const std::string keys =
-        "overlap = 0.5\noverlap.bolt = 0\noverlap.\"thin\" = 2\noverlap.\"a, b\" = 3\n";
+    const std::string keys = "overlap = 0.5\noverlap.bolt = 0\noverlap.\"thin\" = 2\noverlap.\"a, b\" = 3\n";
     const Problem problem = read(folder, "w.stl", keys);
     const OverlapRules& rules = problem.rules.overlap;
     BOOST_TEST(rules.common == 0.5);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "swept/cut_surface.h"
 #include "mesh/topology.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
+#include "swept/cut_surface.h"
 
 namespace clearway::testing {
 

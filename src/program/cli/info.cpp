@@ -13,6 +13,7 @@
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "program/cli/enclosure.h"
+#include "program/cli/lift.h"
 #include "program/cli/mesh_facts.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/print_audit.h"
@@ -24,12 +25,6 @@
 namespace clearway::cli {
 
 namespace {
-
-constexpr double kMostLift = 0.01;   ///< of the part's diagonal: what reaches in deeper does not just touch
-constexpr double kLeastLift = 1e-6;  ///< of the most
-constexpr double kLiftStep = 0.25;   ///< from one overlap to the next that may free the start
-constexpr double kLiftError = 0.02;  ///< of the least overlap that frees a start
-constexpr double kToTryFirst = 3;    ///< times the least: with less there is hardly any room to move
 
 std::string goalOf(const Problem& problem) {
     if (!problem.outside) return shownState(problem.goal);
@@ -113,9 +108,9 @@ void describeProblem(const Problem& problem, const Box& environmentBox, const Bo
     if (problem.outside && problem.outside->side) facts()["outside"] = nameOf(*problem.outside->side);
 }
 
-/// Tells whether the part is valid at an end of the path ("start", "goal"); if so, how far from what; if not, why.
-void describeEnd(const std::string& end, const SceneClearance& clearance, const PartState& state,
-                 EnclosureNotes& enclosures) {
+/// Tells whether the part is valid at an end of the path ("start", "goal"); if so, how far from what; if not, why. Returns why.
+WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clearance, const PartState& state,
+                             EnclosureNotes& enclosures) {
     const std::string label = "at the " + end;
     const Pose X_environmentPart = poseOf(state);
     const PoseClearance at = clearance.at(X_environmentPart);
@@ -140,18 +135,23 @@ void describeEnd(const std::string& end, const SceneClearance& clearance, const 
                                       [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
     const std::string note = mayTouch || !why.isValid() ? "" : enclosures.at(X_environmentPart);
     if (!note.empty()) printWarnings({label + " " + note});
+    return why.kind;
 }
 
-/// Returns the part's model.
-Model describeEnds(const Problem& problem, ProblemScenes& scenes) {
+struct DescribedEnds {
+    Model part;
+    bool collidesAtStart;
+};
+
+DescribedEnds describeEnds(const Problem& problem, ProblemScenes& scenes) {
     const LoadedScene loaded = scenes.sceneWithNotes(problem);
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const SceneClearance clearance(loaded.scene);
     EnclosureNotes enclosures(scenes.meshes());
-    describeEnd("start", clearance, problem.start, enclosures);
+    const WhyInvalid::Kind atStart = describeEnd("start", clearance, problem.start, enclosures);
     if (!problem.outside) describeEnd("goal", clearance, problem.goal, enclosures);
-    return loaded.scene.part;
+    return {loaded.scene.part, atStart == WhyInvalid::Kind::kCollides};
 }
 
 void describeProblemFile(const std::string& file, const BuildOptions& tree) {
@@ -161,7 +161,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const Mesh environment = joinedEnvironment(scenes.meshes().worlds);
     describeProblem(problem, boundingBox(environment), boundingBox(part));
     tellObstacles(obstaclesOf(problem, scenes.meshes().worlds));
-    const Model partModel = describeEnds(problem, scenes);
+    const auto [partModel, collidesAtStart] = describeEnds(problem, scenes);
     std::cout << "\nPart\n";
     describeMesh("part", part, problem.meshes.asOmplApp ? "as OMPL.app reads a robot" : "as stored",
                  partModel);
@@ -170,29 +170,9 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     describeMesh("environment", environment,
                  problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored",
                  scenes.modelOf(environment, range), range);
-}
-
-/// Why the start is not valid with this overlap.
-WhyInvalid whyStartIsInvalid(Problem problem, ProblemScenes& scenes, double overlap) {
-    problem.rules.overlap.common = overlap;
-    const SceneClearance clearance(scenes.wholeScene(problem));
-    return clearance.whyInvalid(poseOf(problem.start));
-}
-
-/// The least overlap that frees the start, to kLiftError; none up to `most`.
-std::optional<double> leastLift(const Problem& problem, ProblemScenes& scenes, double most) {
-    const auto isFree = [&](double overlap) { return whyStartIsInvalid(problem, scenes, overlap).isValid(); };
-    if (!isFree(most)) return std::nullopt;
-    double enough = most, least = 0;
-    while (enough > kLeastLift * most && least == 0) {
-        const double next = kLiftStep * enough;
-        (isFree(next) ? enough : least) = next;
-    }
-    while (least > 0 && enough - least > kLiftError * enough) {
-        const double middle = std::sqrt(least * enough);
-        (isFree(middle) ? enough : least) = middle;
-    }
-    return awayFromZero(enough, 3);
+    if (!collidesAtStart) return;
+    std::cout << "\nOverlaps\n";
+    tellLift(problem, scenes);
 }
 
 /// Says how deep obstacles reach into the part at the start, and which overlaps free the start.
@@ -203,23 +183,9 @@ void describeLift(const std::string& file) {
     const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem, scenes.meshes());
     facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
-    problem.margin = 0;
-    problem.rules.margins.clear();
-    problem.rules.overlap = {};
-    const SceneClearance clearance(scenes.wholeScene(problem));
-    const WhyInvalid why = clearance.whyInvalid(poseOf(problem.start));
-    if (overlaps.empty())
-        printRow("start", "no obstacle reaches into the part" + (why.isValid() ? "" : ", but " + why.words()));
-    if (why.kind != WhyInvalid::Kind::kCollides) return;
-    const double most = kMostLift * clearance.scene().part.box().diagonal().norm();
-    const std::optional<double> least = leastLift(problem, scenes, most);
-    if (!least)
-        throw std::invalid_argument("no overlap up to " + shownLength(most) + ", a hundredth of the part's size, frees the start: " +
-                                    whyStartIsInvalid(problem, scenes, most).words());
-    const double first = awayFromZero(kToTryFirst * *least, 3);
-    facts()["lift"] = {{"overlap", toJson(*least)}, {"try_first", toJson(first)}};
-    printRow("frees the start", "overlap = " + depthText(*least));
-    printRow("to try first", "overlap = " + depthText(first));
+    if (overlaps.empty()) printRow("start", "no obstacle reaches into the part");
+    if (!tellLift(problem, scenes) && !overlaps.empty())
+        throw std::invalid_argument("no overlap up to a hundredth of the part's size frees the start");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "clearway/planning/planners.h"
 #include "core/text.h"
 #include "core/watch.h"
+#include "program/cli/lift.h"
 #include "program/cli/old_path.h"
 #include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
@@ -374,8 +375,10 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     PlanReport report;
     try {
         report = planning::plan(problem, scene, options);
-    } catch (const std::exception&) {  // the start or the goal is not valid, or an option is refused
+    } catch (const std::exception& error) {  // the start or the goal is not valid, or an option is refused
         elapsed.reset();
+        const auto* invalid = dynamic_cast<const planning::InvalidStart*>(&error);
+        if (invalid != nullptr && invalid->mayOverlap) tellLift(problem, *scenes);
         tellNearestUnwritten(given, kRefused);
         given.outputs.tellUnwritten(kRefused);
         throw;

@@ -108,9 +108,9 @@ BOOST_AUTO_TEST_CASE(a_margin_is_kept_from_the_shrunk_part) {
     Scene scene = overlapScene(box({2, 2, 2}), translated(box({20, 20, 5}), {0, 0, -5}));
     scene.obstacles[0].margin = 0.4;  // as of a planner that looks for room
     const PartInSpace space(scene);
-    BOOST_TEST(space.isValid({0, 0, 1.95}));
-    BOOST_TEST(!space.isValid({0, 0, 1.75}));
-    const WhyInvalid why = space.checker->whyInvalid(space.at({0, 0, 1.75}).get());
+    BOOST_TEST(space.isValid({0, 0, 2.1}));
+    BOOST_TEST(!space.isValid({0, 0, 1.95}));
+    const WhyInvalid why = space.checker->whyInvalid(space.at({0, 0, 1.95}).get());
     BOOST_TEST((why.kind == WhyInvalid::Kind::kTooClose));
     BOOST_TEST(why.limit == 0.4);
 }
