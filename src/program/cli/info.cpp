@@ -172,7 +172,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
                  scenes.modelOf(environment, range), range);
     if (!collidesAtStart) return;
     std::cout << "\nOverlaps\n";
-    tellLift(problem, scenes);
+    tellLiftIfAny(problem, scenes);
 }
 
 /// Says how deep obstacles reach into the part at the start, and which overlaps free the start.
@@ -184,7 +184,9 @@ void describeLift(const std::string& file) {
     facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
     if (overlaps.empty()) printRow("start", "no obstacle reaches into the part");
-    if (!tellLift(problem, scenes) && !overlaps.empty())
+    const std::optional<Lift> lift = findLift(problem, scenes);
+    if (lift) return tell(*lift);
+    if (!overlaps.empty())
         throw std::invalid_argument("no overlap up to a hundredth of the part's size frees the start");
 }
 

@@ -18,6 +18,8 @@
 #include "problem/config.h"
 #include "problem/start_remedies.h"
 #include "program/cli/enclosure.h"
+#include "program/cli/lift.h"
+#include "program/cli/overlaps.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
@@ -226,8 +228,7 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
         text.comment(
             "The part touches other meshes at its start. If they are assembled so, choose one of these:");
         for (const StartRemedy& remedy : seen.remedies) {
-            text.choice(remedy.key, remedy.value,
-                        remedy.effect + (remedy.key == "overlap" ? kLiftTellsOverlap : ""));
+            text.choice(remedy.key, remedy.value, remedy.effect);
         }
     }
     return text.str();
@@ -296,7 +297,11 @@ int init(const Arguments& words) {
         const std::size_t more = seen.touched.size() - names.size();
         printRow("start", "touches " + joined(names) +
                               (more > 0 ? " and " + std::to_string(more) + " more" : "") +
-                              startAdvice(problem, seen.touched, contactLength, true) + kLiftTellsOverlap);
+                              startAdvice(problem, seen.touched, contactLength, true));
+        const std::optional<Lift> lift = tellLiftIfAny(problem, scenes);
+        for (StartRemedy& remedy : seen.remedies) {
+            if (lift && remedy.key == "overlap") remedy.value = depthText(lift->tryFirst);
+        }
     }
     printRow("goal", !seen.farSide ? "outside"
                                    : "outside on " + seen.farSide->far + "; the part starts outside on " +

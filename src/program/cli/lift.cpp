@@ -1,7 +1,8 @@
 #include "program/cli/lift.h"
 
 #include <cmath>
-#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
@@ -18,9 +19,9 @@ constexpr double kLiftStep = 0.25;   ///< from one overlap to the next that may 
 constexpr double kLiftError = 0.02;  ///< of the least overlap that frees a start
 constexpr double kToTryFirst = 7;    ///< times the least, with which there is hardly any room to move
 
-class Lift {
+class LiftSearch {
   public:
-    Lift(Problem problem, ProblemScenes& scenes) : problem_(std::move(problem)), scenes_(scenes) {
+    LiftSearch(Problem problem, ProblemScenes& scenes) : problem_(std::move(problem)), scenes_(scenes) {
         problem_.margin = 0;
         problem_.rules.margins.clear();
         problem_.rules.overlap = {};
@@ -59,16 +60,29 @@ class Lift {
 
 }  // namespace
 
-bool tellLift(Problem problem, ProblemScenes& scenes) {
-    Lift lift(std::move(problem), scenes);
-    if (lift.whyStartIsInvalid(0).kind != WhyInvalid::Kind::kCollides) return false;
-    const std::optional<double> least = lift.least(kMostLift * lift.size());
-    if (!least) return false;
-    const double first = awayFromZero(kToTryFirst * *least, 3);
-    facts()["lift"] = {{"overlap", toJson(*least)}, {"try_first", toJson(first)}};
-    printRow("frees the start", "overlap = " + depthText(*least));
-    printRow("to try first", "overlap = " + depthText(first));
-    return true;
+std::optional<Lift> findLift(Problem problem, ProblemScenes& scenes) {
+    LiftSearch search(std::move(problem), scenes);
+    if (search.whyStartIsInvalid(0).kind != WhyInvalid::Kind::kCollides) return std::nullopt;
+    const std::optional<double> least = search.least(kMostLift * search.size());
+    if (!least) return std::nullopt;
+    return Lift{*least, awayFromZero(kToTryFirst * *least, 3)};
+}
+
+void tell(const Lift& lift) {
+    facts()["lift"] = {{"overlap", toJson(lift.least)}, {"try_first", toJson(lift.tryFirst)}};
+    printRow("frees the start", "overlap = " + depthText(lift.least));
+    printRow("to try first", "overlap = " + depthText(lift.tryFirst));
+}
+
+std::optional<Lift> tellLiftIfAny(const Problem& problem, ProblemScenes& scenes) {
+    try {
+        const std::optional<Lift> lift = findLift(problem, scenes);
+        if (lift) tell(*lift);
+        return lift;
+    } catch (const std::invalid_argument& refusal) {
+        printRow("overlap", std::string("cannot be allowed: ") + refusal.what());
+        return std::nullopt;
+    }
 }
 
 }  // namespace clearway::cli

@@ -378,7 +378,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     } catch (const std::exception& error) {  // the start or the goal is not valid, or an option is refused
         elapsed.reset();
         const auto* invalid = dynamic_cast<const planning::InvalidStart*>(&error);
-        if (invalid != nullptr && invalid->mayOverlap) tellLift(problem, *scenes);
+        if (invalid != nullptr && invalid->mayOverlap) tellLiftIfAny(problem, *scenes);
         tellNearestUnwritten(given, kRefused);
         given.outputs.tellUnwritten(kRefused);
         throw;

@@ -6,7 +6,6 @@
 #include <functional>
 #include <iostream>
 
-#include "clearway/planning/plan.h"
 #include "clearway/shrink.h"
 #include "clearway/targets.h"
 #include "clearway/version.h"
@@ -45,8 +44,6 @@ int guarded(const char* name, const std::function<int()>& run) {
         printRow("interrupted", std::string(stopped.what()) + "; nothing is written");
         facts()["interrupted"] = true;
         return finish(kAnswerIsNo);
-    } catch (const planning::InvalidStart& error) {
-        return refuse(name, error.what() + std::string(error.mayOverlap ? kLiftTellsOverlap : ""));
     } catch (const std::exception& error) {
         return refuse(name, error.what());
     }

@@ -7,9 +7,6 @@
 
 namespace clearway::cli {
 
-/// Stands after advice to write an overlap in a problem.
-constexpr const char* kLiftTellsOverlap = "; clearway info PROBLEM --lift tells X";
-
 /// Calls `run` with the words after the program's name, and writes the facts; or prints versions, if the first word is --version.
 /// Turns what `run` throws into one line on stderr. Returns the exit code.
 int runProgram(int argc, char** argv, const char* name, int (*run)(const Arguments& words));
