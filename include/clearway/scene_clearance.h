@@ -89,7 +89,7 @@ struct WhyInvalid {
         kValid,        ///< nothing
         kOutOfBounds,  ///< outside of the state space's bounds
         kCollides,     ///< the part and an obstacle share a point
-        kTooDeep,      ///< the obstacle reaches deeper into the part than its overlap allows
+        kTooDeep,      ///< the obstacle touches the shrunk part: it may reach deeper than the overlap
         kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
         kTooClose,     ///< the part and an obstacle are no farther apart than the margin
         kNoPose,       ///< a state has no pose: an entry is not finite, or its matrix is no rotation

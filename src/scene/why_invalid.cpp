@@ -92,9 +92,9 @@ std::string WhyInvalid::words() const {
                                pairWords(*this), inUnit(limit));
         case Kind::kTooDeep:
             return fmt::format(
-                "in collision: the environment's mesh '{}' reaches more than {} below the surface of the "
-                "part's mesh '{}', at triangle {}, nearest to triangle {} of the part",
-                environmentMesh, inUnit(limit), partMesh, nearest.witness->environmentTriangle,
+                "in collision: the environment's mesh '{}' may reach deeper into the part's mesh '{}' than "
+                "the overlap {}, at triangle {}, nearest to triangle {} of the part",
+                environmentMesh, partMesh, inUnit(limit), nearest.witness->environmentTriangle,
                 nearest.witness->partTriangle);
         case Kind::kInSolid:
             return "in collision: " + enclosureWords(*this);

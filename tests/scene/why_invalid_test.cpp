@@ -61,8 +61,9 @@ BOOST_AUTO_TEST_CASE(each_kind_has_its_words) {
          "in collision: triangle 7 of the part's mesh 'peg' and triangle 8 of the environment's "
          "mesh 'block' are touching, expected a distance above 0.5 mm"},
         {Kind::kTooDeep,
-         "in collision: the environment's mesh 'block' reaches more than 0.5 mm below the surface "
-         "of the part's mesh 'peg', at triangle 8, nearest to triangle 7 of the part"},
+         "in collision: the environment's mesh 'block' may reach deeper into the part's mesh 'peg' than the "
+         "overlap "
+         "0.5 mm, at triangle 8, nearest to triangle 7 of the part"},
         {Kind::kInSolid, "in collision: the solid 'block' is inside the part's mesh 'peg'"},
         {Kind::kTooClose,
          "too close: triangle 7 of the part's mesh 'peg' and triangle 8 of the environment's mesh "
