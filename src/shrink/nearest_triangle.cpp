@@ -6,7 +6,8 @@
 namespace clearway {
 namespace {
 
-constexpr double kSliver = 1e-9;  ///< height of a triangle in its longest edges; its normal is rounding then
+constexpr double kSliver =
+    1e-5;  ///< height of a triangle in its longest edges; of a lower one the normal is rounded too much
 
 /// A mesh of one triangle whose corners are one point, the origin.
 Mesh pointMesh() {
