@@ -41,10 +41,10 @@ struct ThinPlaces {
 };
 
 /// A part shrunk by an overlap. Certified: where the surface moves from the part's to the shrunk part's, it sweeps no point deeper than
-/// the overlap, so an obstacle that misses the shrunk part, and is not wholly inside it, has no point deeper than that. A flat contact of
+/// the overlap, so an obstacle that misses the shrunk part, and is not wholly inside one of its components, has no point deeper than that. A flat contact of
 /// three quarters of the overlap is free. The surface may pass through itself.
 struct ShrunkPart {
-    Mesh mesh;  ///< one component, called as the part's only one or "part"; in the part's mesh coordinates
+    Mesh mesh;              ///< with the part's components; in the part's mesh coordinates
     ShrinkOptions options;  ///< as given, but for isStopped
     std::vector<std::uint32_t>
         partTriangles;  ///< for each triangle the one of the part's mesh that it comes from
@@ -52,7 +52,7 @@ struct ShrunkPart {
 };
 
 /// Shrinks the part: its faces move inwards by three quarters of the overlap, and mitres join them. Throws ArgumentError, naming what is
-/// wrong, if the overlap is not a finite number above 0 or too small for the part's coordinates, or if a component of the part is
+/// wrong, if the overlap is not a finite number above 0, too small for the part's coordinates or more than half of the part's diagonal, or if a component of the part is
 /// not closed (see makeSolids); and ShrinkStopped when stopped.
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options);
 

@@ -211,9 +211,14 @@ Solids::Solids(const Mesh& mesh) {
 
 Solids Solids::oriented(const Mesh& mesh) {
     Solids made;
-    made.names_ = {componentsOf(mesh).front().name};
-    made.solids_.push_back({Solid::oriented(mesh), 0});
-    for (const Vector3& vertex : made.solids_[0].solid.shellVertices()) made.pieces_.push_back({vertex, 0});
+    const std::vector<Component> components = componentsOf(mesh);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        made.names_.push_back(components[i].name.empty() ? "unnamed" : components[i].name);
+        if (components[i].triangleCount == 0) continue;
+        made.solids_.push_back({Solid::oriented(meshOfComponents(mesh, {i})), i});
+        for (const Vector3& vertex : made.solids_.back().solid.shellVertices())
+            made.pieces_.push_back({vertex, i});
+    }
     made.findTrees();
     return made;
 }

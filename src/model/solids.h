@@ -74,7 +74,7 @@ class Solids {
     /// Model::build does.
     explicit Solids(const Mesh& mesh);
 
-    /// One solid of all of a mesh, as Solid::oriented takes it, called as its first component.
+    /// A solid of each component, as Solid::oriented takes it.
     static Solids oriented(const Mesh& mesh);
 
     const std::vector<std::string>& refusals() const { return refusals_; }

@@ -47,7 +47,7 @@ std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, con
         const ThinPlaces& thin = all.back().thin;
         if (thin.count > 0)
             notes.push_back(fmt::format(
-                "overlap = {}: {} of the part allow{} less, at least {}, near {} (part coordinates)",
+                "overlap = {}: {} of the part allow{} less, down to about {}, near {} (part coordinates)",
                 shortNumber(overlap),
                 thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count),
                 thin.count == 1 ? "s" : "", roundedNumber(thin.leastOverlap), roundedPoint(thin.at)));

@@ -55,13 +55,15 @@ OverlapRules readOverlap(ConfigValues& values) {
     OverlapRules rules;
     rules.common = values.number("clearway.overlap").value_or(0);
     if (!(rules.common >= 0)) values.refuse("clearway.overlap", "a number of at least 0");
-    for (const char* key : {"clearway.overlap.tolerance", "clearway.overlap.thin"}) {
-        if (values.has(key))
-            values.refuse(key,
-                          "no such key, since no point lies deeper than the overlap itself and thin places "
-                          "are only told "
-                          "(an obstacle of that name stands in quotes)");
-    }
+    const char* quoted = " (an obstacle of that name stands in quotes)";
+    if (values.has("clearway.overlap.tolerance"))
+        values.refuse(
+            "clearway.overlap.tolerance",
+            std::string("no such key: write the overlap and its tolerance, added up, as the overlap") +
+                quoted);
+    if (values.has("clearway.overlap.thin"))
+        values.refuse("clearway.overlap.thin",
+                      std::string("no such key: thin places are told, and never refused") + quoted);
     readLengths(values, kOverlap, rules.byName);
     return rules;
 }

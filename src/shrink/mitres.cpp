@@ -46,7 +46,8 @@ class Mitres {
         std::vector<bool> isDone(surface_.across.size(), false);
         for (std::uint32_t side = 0; side < isDone.size(); ++side) {
             if (isDone[side]) continue;
-            moveVertex(ringFrom(side));
+            findRing(side);
+            moveVertex();
             for (const std::uint32_t corner : ring_) isDone[corner] = true;
         }
         for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
@@ -98,14 +99,13 @@ class Mitres {
     }
 
     /// Finds the corners around a vertex, each named by the side that leaves it. Gap i is between corners i and i + 1.
-    std::uint32_t ringFrom(std::uint32_t first) {
+    void findRing(std::uint32_t first) {
         ring_.clear();
         std::uint32_t side = first;
         do {
             ring_.push_back(side);
             side = surface_.across[OrientedSurface::previousSide(side)];
         } while (side != first);
-        return first;
     }
 
     const Vector3& normalAt(std::size_t i) const {
@@ -129,8 +129,8 @@ class Mitres {
         return found;
     }
 
-    void moveVertex(std::uint32_t first) {
-        vertex_ = surface_.from(first);
+    void moveVertex() {
+        vertex_ = surface_.from(ring_[0]);
         const std::size_t count = ring_.size();
         gaps_.assign(count, {});
         for (std::size_t i = 0; i < count; ++i) {

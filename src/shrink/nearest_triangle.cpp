@@ -7,7 +7,7 @@ namespace clearway {
 namespace {
 
 constexpr double kSliver =
-    1e-5;  ///< height of a triangle in its longest edges; of a lower one the normal is rounded too much
+    1e-4;  ///< height of a triangle in its longest edges; of a lower one the normal is rounded too much
 
 /// A mesh of one triangle whose corners are one point, the origin.
 Mesh pointMesh() {

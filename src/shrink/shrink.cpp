@@ -7,7 +7,7 @@
 
 #include "clearway/errors.h"
 #include "core/number.h"
-#include "mesh/topology.h"
+#include "mesh/components.h"
 #include "model/solids.h"
 #include "shrink/certificate.h"
 #include "shrink/mitres.h"
@@ -48,6 +48,11 @@ class Shrinking {
     Shrinking(const Mesh& part, const ShrinkOptions& options)
         : options_(options), whole_(orientedSurface(part)), nearest_(Model::build(meshOf(whole_))) {
         const double rounding = kRounding * largestCoordinate(whole_.vertices);
+        const double most = 0.5 * nearest_.model().box().diagonal().norm();
+        if (options.overlap > most) {
+            throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected at most " +
+                                shortNumber(most) + ", half of the part's size");
+        }
         depths_ = {kFaceDepth * options.overlap, options.overlap - rounding};
         if (!(depths_.most > depths_.face)) {
             throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected more than " +
@@ -77,12 +82,20 @@ class Shrinking {
         for (const MovedVertex& place : moved_.places) {
             shrunk.mesh.vertices.push_back(surface_.vertices[place.vertex] + place.move);
         }
-        for (const MovedTriangle& triangle : moved_.triangles) {
-            shrunk.mesh.triangles.push_back({triangle.places[0], triangle.places[1], triangle.places[2]});
-            shrunk.partTriangles.push_back(surface_.given[OrientedSurface::triangleOf(triangle.side)]);
+        // Each component stays one, since each winds around its own inside.
+        const std::vector<Component> components = componentsOf(part);
+        std::vector<std::vector<const MovedTriangle*>> trianglesOf(components.size());
+        for (const MovedTriangle& triangle : moved_.triangles)
+            trianglesOf[componentOf(components, givenOf(triangle))].push_back(&triangle);
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            shrunk.mesh.components.push_back({components[i].name,
+                                              static_cast<std::uint32_t>(shrunk.mesh.triangles.size()),
+                                              static_cast<std::uint32_t>(trianglesOf[i].size())});
+            for (const MovedTriangle* triangle : trianglesOf[i]) {
+                shrunk.mesh.triangles.push_back(triangle->places);
+                shrunk.partTriangles.push_back(givenOf(*triangle));
+            }
         }
-        shrunk.mesh.components = {{part.components.size() == 1 ? part.components[0].name : "part", 0,
-                                   static_cast<std::uint32_t>(shrunk.mesh.triangles.size())}};
         findThinPlaces(shrunk);
         return shrunk;
     }
@@ -90,6 +103,10 @@ class Shrinking {
   private:
     void requireGoingOn() const {
         if (options_.isStopped && options_.isStopped()) throw ShrinkStopped("shrinking was stopped");
+    }
+
+    std::uint32_t givenOf(const MovedTriangle& triangle) const {
+        return surface_.given[OrientedSurface::triangleOf(triangle.side)];
     }
 
     /// Shortens moves. Returns how far around each vertex with a shortened move its faces' corners should be cut off.

@@ -74,9 +74,8 @@ BOOST_AUTO_TEST_CASE(wrong_rules_are_refused_with_their_line) {
     requireRefused("overlap = -1\n", {"overlap is '-1'", "a number of at least 0"});
     requireRefused("overlap.a = x\n", {"overlap.a is 'x'"});
     requireRefused("overlap.a = -2\n", {"a number of at least 0"});
-    requireRefused("overlap.tolerance = 0.1\n",
-                   {"no such key", "no point lies deeper than the overlap itself"});
-    requireRefused("overlap.thin = allow\n", {"no such key", "thin places are only told"});
+    requireRefused("overlap.tolerance = 0.1\n", {"no such key", "its tolerance, added up, as the overlap"});
+    requireRefused("overlap.thin = allow\n", {"no such key", "thin places are told"});
     requireRefused("overlap.a,b = 1\n", {"overlap.NAME = X with each name once"});
     BOOST_TEST(holds(refusalBy([] { read(TemporaryFolder(), "w.stl", "margin.a = 1\nmargin.\"a\" = 2\n"); }),
                      "each name once"));

@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "mesh/topology.h"
+#include "mesh/components.h"
 #include "model/solids.h"
 #include "support/full_run.h"
 #include "support/oracle.h"
@@ -37,8 +37,8 @@ Vector3 pointOn(const Mesh& mesh, Random& random) {
     return (1 - u - v) * mesh.vertices[t[0]] + u * mesh.vertices[t[1]] + v * mesh.vertices[t[2]];
 }
 
-/// Checks what makes overlaps safe: each point deeper than the overlap is in the shrunk part as often as it is in the part, and each
-/// point outside that is further from the part than the overlap in neither. Returns how many points were deep.
+/// Checks what makes overlaps safe: points that are further from the part's surface than the overlap are inside each shrunk component as
+/// often as inside the component. Returns how many such points there were.
 int checkWindings(const Mesh& part, double overlap, int draws) {
     const ShrunkPart shrunk = shrink(part, {overlap});
     BOOST_REQUIRE(shrunk.partTriangles.size() == shrunk.mesh.triangles.size());
@@ -51,7 +51,13 @@ int checkWindings(const Mesh& part, double overlap, int draws) {
         }
     }
     for (const auto& [edge, sum] : sides) BOOST_REQUIRE(sum == 0);
-    const Solid solid = Solid::oriented(shrunk.mesh);
+    const std::vector<Component> components = componentsOf(part);
+    std::vector<Solid> solids;
+    std::vector<long> signs;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        solids.push_back(Solid::oriented(meshOfComponents(shrunk.mesh, {i})));
+        signs.push_back(Solid(meshOfComponents(part, {i}), "component").isTurnedOver() ? -1 : 1);
+    }
     Random random(7);
     int deep = 0;
     for (int n = 0; n < draws; ++n) {
@@ -60,16 +66,19 @@ int checkWindings(const Mesh& part, double overlap, int draws) {
         const double distance = distanceOf(part, point);
         if (distance < (1 + 1e-9) * overlap) continue;
         ++deep;
-        const long winding = std::labs(std::lround(windingBySolidAngles(part, all(part), point)));
-        BOOST_REQUIRE_MESSAGE(solid.winding({}, {}, point) == winding, "at " << point.transpose() << ", "
-                                                                             << distance / overlap
-                                                                             << " overlaps from the surface");
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            const long winding = signs[i] * std::lround(windingBySolidAngles(part, components[i], point));
+            BOOST_REQUIRE_MESSAGE(
+                solids[i].winding({}, {}, point) == winding,
+                "at " << point.transpose() << ", " << distance / overlap << " overlaps from the surface");
+        }
     }
     return deep;
 }
 
 /// Checks that the shrunk part's surface is inside the part, as deep as a flat contact of 0.73 overlaps needs.
-void checkDepths(const Mesh& part, double overlap, int draws = inForm(300, 60)) {
+void checkDepths(const Mesh& part, double overlap) {
+    const int draws = inForm(300, 60);
     BOOST_TEST(checkWindings(part, overlap, 2 * draws) > 0);
     const ShrunkPart shrunk = shrink(part, {overlap});
     BOOST_TEST(shrunk.thin.count == 0u);
@@ -159,7 +168,8 @@ BOOST_AUTO_TEST_CASE(odd_shapes_lose_no_point_that_is_deeper_than_the_overlap) {
         checkWindings(pocket(0.05, 0.1), overlap, draws);
         checkWindings(joined(named(box({1, 1, 1}), "a"), translated(named(box({1, 1, 1}), "b"), {2, 0.5, 0})),
                       overlap, draws);
-        checkWindings(sphere(0.1, 6), overlap, draws);  // thinner than two overlaps of 0.1
+        if (overlap < 0.17)
+            checkWindings(sphere(0.1, 6), overlap, draws);  // thinner than two overlaps of 0.1
     }
 }
 

@@ -170,9 +170,7 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     describeMesh("environment", environment,
                  problem.meshes.asOmplApp ? "as OMPL.app reads its world" : "as stored",
                  scenes.modelOf(environment, range), range);
-    if (!collidesAtStart) return;
-    std::cout << "\nOverlaps\n";
-    tellLiftIfAny(problem, scenes);
+    if (collidesAtStart) tellLiftIfAny(problem, scenes);
 }
 
 /// Says how deep obstacles reach into the part at the start, and which overlaps free the start.
@@ -184,10 +182,11 @@ void describeLift(const std::string& file) {
     facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
     if (overlaps.empty()) printRow("start", "no obstacle reaches into the part");
-    const std::optional<Lift> lift = findLift(problem, scenes);
-    if (lift) return tell(*lift);
-    if (!overlaps.empty())
-        throw std::invalid_argument("no overlap up to a hundredth of the part's size frees the start");
+    if (const std::optional<Lift> lift = findLift(problem, scenes, overlaps, true)) {
+        tell(*lift);
+    } else if (!overlaps.empty()) {
+        printRow("start", "no surfaces touch");
+    }
 }
 
 }  // namespace

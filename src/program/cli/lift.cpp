@@ -1,10 +1,13 @@
 #include "program/cli/lift.h"
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "clearway/scene_clearance.h"
+#include "clearway/shrink.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "program/cli/overlaps.h"
 #include "program/options/facts.h"
@@ -13,11 +16,14 @@
 namespace clearway::cli {
 namespace {
 
-constexpr double kMostLift = 0.01;   ///< of the part's diagonal: what reaches in deeper does not just touch
-constexpr double kLeastLift = 1e-6;  ///< of the most
-constexpr double kLiftStep = 0.25;   ///< from one overlap to the next that may free the start
-constexpr double kLiftError = 0.02;  ///< of the least overlap that frees a start
-constexpr double kToTryFirst = 7;    ///< times the least, with which there is hardly any room to move
+constexpr double kFaceDepth = 0.74;     ///< of an overlap: a flat contact so deep is just free
+constexpr double kLeastLift = 1e-8;     ///< of the part's diagonal
+constexpr double kLiftStep = 2;         ///< from one overlap to the next that may free the start
+constexpr double kLiftError = 0.05;     ///< of the least overlap that frees a start
+constexpr double kToTryFirst = 7;       ///< times the least, with which there is hardly any room to move
+constexpr double kMostLift = 0.02;      ///< of the part's diagonal, where nobody asked
+constexpr double kMostAskedLift = 0.2;  ///< and where somebody did
+constexpr double kMostLiftSeconds = 5;  ///< for overlaps to be tried, where nobody asked
 
 class LiftSearch {
   public:
@@ -37,19 +43,25 @@ class LiftSearch {
     bool isFree(double overlap) { return whyStartIsInvalid(overlap).isValid(); }
     double size() const { return size_; }  ///< of the part, once it was asked about
 
-    /// The least overlap that frees the start, to kLiftError; none up to `most`.
-    std::optional<double> least(double most) {
-        if (!isFree(most)) return std::nullopt;
-        double enough = most, tooLittle = 0;
-        while (enough > kLeastLift * most && tooLittle == 0) {
-            const double next = kLiftStep * enough;
-            (isFree(next) ? enough : tooLittle) = next;
+    /// More overlap does not always free more: thin places get shallower. So the least one is sought from below.
+    Lift find(double depth, double most, const std::function<bool()>& isSpent) {
+        double enough = std::max(depth / kFaceDepth, kLeastLift * size_), tooLittle = 0;
+        WhyInvalid why;
+        while (!(why = whyStartIsInvalid(enough)).isValid()) {
+            tooLittle = enough;
+            enough *= kLiftStep;
+            if (enough <= most && !isSpent()) continue;
+            throw std::invalid_argument("no overlap up to " + shownLength(tooLittle) +
+                                        " frees the start: " + why.words());
         }
-        while (tooLittle > 0 && enough - tooLittle > kLiftError * enough) {
-            const double middle = std::sqrt(tooLittle * enough);
+        while (tooLittle > 0 && enough - tooLittle > kLiftError * enough && !isSpent()) {
+            const double middle = 0.5 * (tooLittle + enough);
             (isFree(middle) ? enough : tooLittle) = middle;
         }
-        return awayFromZero(enough, 3);
+        Lift lift{awayFromZero(enough, 3), awayFromZero(kToTryFirst * enough, 3)};
+        while (lift.tryFirst > lift.least && (isSpent() || !isFree(lift.tryFirst)))
+            lift.tryFirst = std::max(lift.least, awayFromZero(0.5 * lift.tryFirst, 3));
+        return lift;
     }
 
   private:
@@ -60,12 +72,15 @@ class LiftSearch {
 
 }  // namespace
 
-std::optional<Lift> findLift(Problem problem, ProblemScenes& scenes) {
-    LiftSearch search(std::move(problem), scenes);
+std::optional<Lift> findLift(const Problem& problem, ProblemScenes& scenes,
+                             const std::vector<FoundOverlap>& overlaps, bool isAsked) {
+    LiftSearch search(problem, scenes);
     if (search.whyStartIsInvalid(0).kind != WhyInvalid::Kind::kCollides) return std::nullopt;
-    const std::optional<double> least = search.least(kMostLift * search.size());
-    if (!least) return std::nullopt;
-    return Lift{*least, awayFromZero(kToTryFirst * *least, 3)};
+    double depth = 0;
+    for (const FoundOverlap& found : overlaps) depth = std::max(depth, found.deepest.lower);
+    const Clock::time_point begin = Clock::now();
+    return search.find(depth, (isAsked ? kMostAskedLift : kMostLift) * search.size(),
+                       [&] { return !isAsked && secondsSince(begin) > kMostLiftSeconds; });
 }
 
 void tell(const Lift& lift) {
@@ -76,13 +91,16 @@ void tell(const Lift& lift) {
 
 std::optional<Lift> tellLiftIfAny(const Problem& problem, ProblemScenes& scenes) {
     try {
-        const std::optional<Lift> lift = findLift(problem, scenes);
+        const std::optional<Lift> lift =
+            findLift(problem, scenes, overlapsAtStart(problem, scenes.meshes()), false);
         if (lift) tell(*lift);
         return lift;
     } catch (const std::invalid_argument& refusal) {
-        printRow("overlap", std::string("cannot be allowed: ") + refusal.what());
-        return std::nullopt;
+        printRow("overlap", std::string("not known: ") + refusal.what());
+    } catch (const ShrinkStopped&) {
+        printRow("overlap", "not known: interrupted");
     }
+    return std::nullopt;
 }
 
 }  // namespace clearway::cli

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "clearway/problem.h"
+#include "program/cli/overlaps.h"
 #include "program/options/shared_options.h"
 
 namespace clearway::cli {
@@ -14,14 +15,16 @@ struct Lift {
     double tryFirst = 0;  ///< frees the way, in most cases
 };
 
-/// None if the start is not in collision, or is not freed by a hundredth of the part's size. The problem's own margins and overlaps do not
-/// count. Throws as shrink() does.
-std::optional<Lift> findLift(Problem problem, ProblemScenes& scenes);
+/// overlaps: those at the start. None if no surfaces touch there. The problem's own margins and overlaps do not count. Unless it
+/// `isAsked` for, it ends after some seconds and tries no large overlaps. Throws std::invalid_argument when no overlap frees the start, and as
+/// shrink() does.
+std::optional<Lift> findLift(const Problem& problem, ProblemScenes& scenes,
+                             const std::vector<FoundOverlap>& overlaps, bool isAsked);
 
 /// Prints both as lines for the problem, the one to try first last.
 void tell(const Lift& lift);
 
-/// Finds and tells it; in place of what findLift throws, a row says why no overlap can be allowed.
+/// Finds and tells it, where nobody asked; in place of what findLift throws, a row says why none is known.
 std::optional<Lift> tellLiftIfAny(const Problem& problem, ProblemScenes& scenes);
 
 }  // namespace clearway::cli

@@ -5,6 +5,7 @@
 #include "clearway/shrink.h"
 #include "support/part_in_space.h"
 #include "support/random_meshes.h"
+#include "support/winding.h"
 
 namespace clearway::testing {
 
@@ -64,6 +65,18 @@ BOOST_AUTO_TEST_CASE(an_obstacle_within_the_part_is_invalid_even_when_it_is_open
     BOOST_TEST(space.isValid({5, 0, 0}) == space.isValid({-5, 0, 0}));
     BOOST_TEST(space.isValid({0, 0, 3.7}));   // 0.3 deep
     BOOST_TEST(!space.isValid({0, 0, 3.3}));  // 0.7 deep
+}
+
+/// The case's inner skin is there twice, so it winds -1 times around what is in its cavity.
+BOOST_AUTO_TEST_CASE(each_component_winds_around_its_own_inside) {
+    Mesh part =
+        joined(joined(joined(box({10, 10, 10}), reversed(box({8, 8, 8}))), reversed(box({7.9, 7.9, 7.9}))),
+               box({5, 5, 5}));
+    part.components = {{"case", 0, 36}, {"core", 36, 12}};
+    const PartInSpace space(overlapScene(part, named(box({1, 1, 1}), "grain")));
+    BOOST_TEST(!space.isValid({0, 0, 0}));
+    BOOST_TEST(!space.isValid({3, 0, 0}));
+    BOOST_TEST(space.isValid({6.6, 0, 0}));  // in the cavity
 }
 
 BOOST_AUTO_TEST_CASE(poses_and_motions_agree_with_depths) {
