@@ -356,6 +356,7 @@ std::optional<Vector3> shortestMove(const std::vector<Vector3>& normals, double 
         return std::all_of(normals.begin(), normals.end(),
                            [&](const Vector3& normal) { return normal.dot(move) <= -(1 - kAlike) * depth; });
     };
+    double least = kLongestMove * depth;
     for (const Vector3& normal : normals) {
         if (isKept(-depth * normal)) return -depth * normal;
     }
@@ -363,11 +364,10 @@ std::optional<Vector3> shortestMove(const std::vector<Vector3>& normals, double 
         for (std::size_t k = i + 1; k < count; ++k) {
             const Vector3 sum = normals[i] + normals[k];
             const Vector3 move = -2 * depth / sum.squaredNorm() * sum;
-            if (isKept(move)) return move;
+            if (move.norm() < least && isKept(move)) return move;
         }
     }
     std::optional<Vector3> shortest;
-    double least = kLongestMove * depth;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
             for (std::size_t k = j + 1; k < count; ++k) {

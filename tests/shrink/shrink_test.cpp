@@ -8,6 +8,7 @@
 
 #include "mesh/components.h"
 #include "model/solids.h"
+#include "shrink/mitres.h"
 #include "support/full_run.h"
 #include "support/oracle.h"
 #include "support/random_meshes.h"
@@ -201,6 +202,15 @@ BOOST_AUTO_TEST_CASE(parts_without_an_inside_and_wrong_overlaps_are_refused) {
                    std::string::npos);
     BOOST_TEST(refusal(translated(box({1, 1, 1}), {1e9, 0, 0}), 1e-4).find("rounded by") !=
                std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(mitres_are_the_shortest_moves_behind_all_faces) {
+    const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
+    BOOST_TEST((shortestMove({x}, 2).value() + 2 * x).norm() < 1e-12);
+    BOOST_TEST((shortestMove({x, y}, 2).value() + 2 * (x + y)).norm() < 1e-12);
+    BOOST_TEST((shortestMove({x, y, z, (x + y).normalized()}, 2).value() + 2 * (x + y + z)).norm() < 1e-12);
+    BOOST_TEST(!shortestMove({x, (1e-3 * y - x).normalized()}, 2).has_value());
+    BOOST_TEST(!shortestMove({x, -x}, 2).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(shrinking_ends_when_stopped) {
