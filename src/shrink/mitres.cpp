@@ -154,13 +154,12 @@ class Mitres {
         takePlaces();
     }
 
-    bool isWhole(const Cluster& cluster) const {
-        return cluster.count == ring_.size() &&
-               !gaps_[(cluster.first + cluster.count - 1) % ring_.size()].isCut;
+    bool isWholeRing(std::size_t first, std::size_t count) const {
+        return count == ring_.size() && !gaps_[(first + count - 1) % ring_.size()].isCut;
     }
 
     /// The normals of the faces, and across each cut those of the next plane.
-    std::vector<Vector3> planesOf(std::size_t first, std::size_t count, bool isWholeRing) const {
+    std::vector<Vector3> planesOf(std::size_t first, std::size_t count) const {
         std::vector<Vector3> planes;
         const auto take = [&](const Vector3& normal) {
             const auto isAlike = [&](const Vector3& other) { return (other - normal).norm() <= kAlike; };
@@ -168,7 +167,7 @@ class Mitres {
                 planes.push_back(normal);
         };
         for (std::size_t i = 0; i < count; ++i) take(normalAt(first + i));
-        if (!isWholeRing) {
+        if (!isWholeRing(first, count)) {
             const std::size_t size = ring_.size();
             const Gap &before = gaps_[(first + size - 1) % size], &after = gaps_[(first + count - 1) % size];
             take(before.planes.empty() ? normalAt(first + size - 1) : before.planes.back());
@@ -186,8 +185,7 @@ class Mitres {
     }
 
     Cluster clusterOf(std::size_t first, std::size_t count) const {
-        const bool isWholeRing = count == ring_.size() && !gaps_[(first + count - 1) % ring_.size()].isCut;
-        Cluster cluster{first % ring_.size(), count, moveBy(planesOf(first, count, isWholeRing)), 0};
+        Cluster cluster{first % ring_.size(), count, moveBy(planesOf(first, count)), 0};
         cluster.badness = badnessOf(cluster);
         return cluster;
     }
@@ -249,7 +247,8 @@ class Mitres {
             }
             for (const std::size_t gap : cut) gaps_[gap].isCut = false;
         };
-        const std::size_t starts = isWhole(cluster) && size <= kMostTried ? size - 1 : 1;
+        const std::size_t starts =
+            isWholeRing(cluster.first, cluster.count) && size <= kMostTried ? size - 1 : 1;
         for (std::size_t start = 0; start < starts; ++start) {
             for (std::size_t at = 1; start + at < cluster.count; ++at)
                 tryCuts(cluster.first + start, cluster.count, at);

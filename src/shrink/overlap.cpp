@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <queue>
 
-#include "mesh/clean.h"
 #include "mesh/components.h"
 #include "model/solids.h"
 #include "shrink/nearest_triangle.h"
@@ -154,13 +153,10 @@ struct OverlapMeter::Surface {
 OverlapMeter::OverlapMeter(const Mesh& part) {
     auto surface = std::make_shared<Surface>(Surface{part, Model::build(part), {}});
     const std::vector<Component> components = componentsOf(part);
-    std::vector<CleanMesh> cleaned = cleanComponents(part);
     for (std::size_t i = 0; i < components.size(); ++i) {
         if (components[i].triangleCount == 0) continue;
-        Mesh mesh;
-        mesh.vertices = std::move(cleaned[i].vertices);
-        mesh.triangles = std::move(cleaned[i].triangles);
-        surface->solids.emplace_back(mesh, components[i].name.empty() ? "unnamed" : components[i].name);
+        surface->solids.emplace_back(meshOfComponents(part, {i}),
+                                     components[i].name.empty() ? "unnamed" : components[i].name);
     }
     surface_ = surface;
 }
