@@ -1,10 +1,8 @@
-// Compares the two ways of certifying motions, pair by pair and globally, on the motions of planners and of a path: verdicts,
-// times and work. Globally certifies what the callbacks' constructor of MotionValidator is given.
-//   benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] [parts=N] [seed=S] [scene=NAME] [table=T.csv] [verdicts=V.csv]
-//   benchmarks certified_motions PROBLEM.cfg V.csv NAME
-// PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are cut into `parts` motions each.
-// T.csv: the figures are appended to it. V.csv: the motions are appended to it with their global verdicts; the second form
-// compares these verdicts with those of sweeps. Ends with 1 when a verdict is lost: valid globally, but not by a sweep.
+// What velocities are worth to certified motions: of the motions of a planner or of a path, verdicts, times and work in a space that
+// gives them (a StateMotion), beside one that only bounds displacements.
+//   benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [SCENE TABLE.csv]
+// PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are the motions.
+// TABLE.csv: the figures are appended to it, under the scene's name. Ends with 1 when velocities lose a verdict: valid by the bound, but not by them.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/util/Console.h>
@@ -35,6 +33,8 @@ namespace {
 
 namespace ob = ompl::base;
 using planning::MotionValidator;
+
+constexpr std::size_t kLeastClearances = 20;  // by the bound, one takes up to 100 ms
 
 struct RecordedMotion {
     ob::ScopedState<> from, to;
@@ -71,9 +71,9 @@ struct Answer {
 
 class Comparison {
   public:
-    Comparison(const Problem& problem, double margin)
+    explicit Comparison(const Problem& problem)
         : problem_(problem),
-          scene_(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)), margin) {
+          scene_(Model::build(loadPart(problem)), Model::build(loadEnvironment(problem)), problem.margin) {
         space_ =
             planning::makeSpace(problem.space, boundsOf(problem, scene_.environmentBox(), scene_.part.box()),
                                 scene_.part.radiusAboutOrigin());
@@ -102,33 +102,28 @@ class Comparison {
         motions_.erase(motions_.begin() + static_cast<long>(count), motions_.end());
     }
 
-    void cut(const std::string& path, std::size_t count, int parts) {
+    void read(const std::string& path, std::size_t count) {
         const std::vector<PartState> states = readPath(path, problem_.space);
         for (std::size_t i = 0; i + 1 < states.size() && motions_.size() < count; ++i) {
-            const auto from = planning::toOmpl(space_, problem_.space, states[i]),
-                       to = planning::toOmpl(space_, problem_.space, states[i + 1]);
-            for (int k = 0; k < parts && motions_.size() < count; ++k) {
-                RecordedMotion motion{from, to, false};
-                space_->interpolate(from.get(), to.get(), double(k) / parts, motion.from.get());
-                space_->interpolate(from.get(), to.get(), double(k + 1) / parts, motion.to.get());
-                motions_.push_back(motion);
-            }
+            motions_.push_back({planning::toOmpl(space_, problem_.space, states[i]),
+                                planning::toOmpl(space_, problem_.space, states[i + 1]), false});
         }
     }
 
     /// Returns how many verdicts are lost. label: begins the rows of the table.
     std::size_t compare(std::ostream* table, const std::string& label) {
-        const MotionValidator pairs(si_, scene_);
-        const MotionValidator globally(
+        const MotionValidator byVelocities(si_, scene_);
+        const MotionValidator byBound(
             si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part)));
         before_.assign(motions_.size(), {});
         Rows rows{table, label, {}};
         std::vector<Answer> after(motions_.size());
         for (int turn = 0; turn < 2; ++turn) {
-            for (std::size_t i = 0; i < motions_.size(); ++i) after[i] = ask(pairs, motions_[i], after[i]);
             for (std::size_t i = 0; i < motions_.size(); ++i)
-                before_[i] = ask(globally, motions_[i], before_[i]);
+                after[i] = ask(byVelocities, motions_[i], after[i]);
+            for (std::size_t i = 0; i < motions_.size(); ++i)
+                before_[i] = ask(byBound, motions_[i], before_[i]);
         }
         const auto areValid = [](const Answer& old, const Answer& found) {
             return old.isValid && found.isValid;
@@ -152,53 +147,9 @@ class Comparison {
         return rows.verdicts.lost;
     }
 
-    /// Appends the motions of the last comparison.
-    void append(const std::string& file, const std::string& scene) const {
-        std::ofstream out(file, std::ios::app);
-        for (std::size_t i = 0; i < motions_.size(); ++i) {
-            out << scene << "," << shortNumber(scene_.largestMargin()) << "," << motions_[i].isForward << ","
-                << (before_[i].isValid         ? "valid"
-                    : before_[i].undecided > 0 ? "undecided"
-                                               : "invalid");
-            for (const auto* state : {&motions_[i].from, &motions_[i].to}) {
-                for (const double number : state->reals()) out << "," << shortNumber(number);
-            }
-            out << "\n";
-        }
-        if (!out.flush()) throw std::runtime_error("cannot write '" + file + "'");
-    }
-
-    /// Compares the verdicts of a file that append wrote.
-    std::size_t compareWith(const std::string& file, const std::string& scene) {
-        std::ifstream in(file);
-        if (!in) throw std::runtime_error("cannot read '" + file + "'");
-        const MotionValidator pairs(si_, scene_);
-        std::vector<Answer> before, after;
-        for (std::string line; std::getline(in, line);) {
-            std::stringstream row(line);
-            std::string name, margin, isForward, verdict, number;
-            std::getline(row, name, ',');
-            std::getline(row, margin, ',');
-            std::getline(row, isForward, ',');
-            std::getline(row, verdict, ',');
-            if (name != scene || parseNumber(margin).value() != scene_.largestMargin()) continue;
-            std::vector<double> numbers;
-            while (std::getline(row, number, ',')) numbers.push_back(parseNumber(number).value());
-            const auto half = static_cast<std::ptrdiff_t>(numbers.size() / 2);
-            RecordedMotion motion{ob::ScopedState<>(space_), ob::ScopedState<>(space_), isForward == "1"};
-            motion.from = std::vector<double>(numbers.begin(), numbers.begin() + half);
-            motion.to = std::vector<double>(numbers.begin() + half, numbers.end());
-            before.emplace_back();
-            before.back().isValid = verdict == "valid";
-            before.back().undecided = verdict == "undecided";
-            after.push_back(ask(pairs, motion, {}));
-        }
-        return countVerdicts(before, after).lost;
-    }
-
   private:
     struct Verdicts {
-        std::size_t lost = 0, gained = 0;  ///< valid globally alone; valid by a sweep alone
+        std::size_t lost = 0, gained = 0;  ///< valid by the bound alone; valid by velocities alone
     };
 
     Answer ask(const MotionValidator& validator, const RecordedMotion& motion, const Answer& sofar) const {
@@ -271,14 +222,14 @@ class Comparison {
         return {lost, gained};
     }
 
-    /// Times the least clearance, as MinClearanceObjective asks for it, of at most 200 valid motions.
+    /// Times the least clearance, as MinClearanceObjective asks for it, of at most kLeastClearances valid motions.
     void printLeastClearances(const Rows& rows) const {
-        const planning::MinClearanceObjective pairs(si_, scene_),
-            globally(si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
-                                                planning::displacementBound(*space_, scene_.part)));
+        const planning::MinClearanceObjective byVelocities(si_, scene_),
+            byBound(si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
+                                               planning::displacementBound(*space_, scene_.part)));
         double before = 0, after = 0;
         std::size_t count = 0;
-        for (std::size_t i = 0; i < motions_.size() && count < 200; ++i) {
+        for (std::size_t i = 0; i < motions_.size() && count < kLeastClearances; ++i) {
             if (!before_[i].isValid) continue;
             const ob::State *from = motions_[i].from.get(), *to = motions_[i].to.get();
             const auto seconds = [&](const planning::MinClearanceObjective& objective) {
@@ -286,8 +237,8 @@ class Comparison {
                 objective.motionCost(from, to);
                 return secondsSince(begin);
             };
-            before += seconds(globally);
-            after += seconds(pairs);
+            before += seconds(byBound);
+            after += seconds(byVelocities);
             ++count;
         }
         const double n = std::max<double>(1, double(count));
@@ -308,83 +259,40 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-struct Choices {
-    std::optional<double> margin;
-    int parts = 1;
-    std::uint32_t seed = 1;
-    std::string scene, table, verdicts;
-};
-
-Choices readChoices(int count, char** words) {
-    Choices choices;
-    for (int i = 4; i < count; ++i) {
-        const std::string word = words[i];
-        const auto equals = word.find('=');
-        const std::string name = word.substr(0, equals),
-                          value = equals < word.size() ? word.substr(equals + 1) : "";
-        if (name == "margin") {
-            choices.margin = parseNumber(value).value();
-        } else if (name == "parts") {
-            choices.parts = static_cast<int>(parseInteger(value).value());
-        } else if (name == "seed") {
-            choices.seed = static_cast<std::uint32_t>(parseInteger(value).value());
-        } else if (name == "scene") {
-            choices.scene = value;
-        } else if (name == "table") {
-            choices.table = value;
-        } else if (name == "verdicts") {
-            choices.verdicts = value;
-        } else {
-            throw std::invalid_argument(
-                "'" + word + "' is no choice, expected margin=, parts=, seed=, scene=, table= or verdicts=");
-        }
-    }
-    return choices;
-}
-
 std::ofstream openTable(const std::string& file) {
     const bool isNew = !std::ifstream(file);
     std::ofstream out(file, std::ios::app);
     if (isNew)
-        out << "scene,motions,margin,parts,kind,count,us_globally,us_by_pairs,times_faster,visits_globally,"
-               "visits_by_pairs,verdicts_lost,verdicts_gained\n";
+        out << "scene,motions,kind,count,us_by_bound,us_by_velocities,times_faster,visits_by_bound,"
+               "visits_by_velocities,verdicts_lost,verdicts_gained\n";
     return out;
 }
 
 }  // namespace
 
 int run(int count, char** words) {
-    if (count < 4) {
-        std::cerr << "usage: benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [margin=M] "
-                     "[parts=N] [seed=S] "
-                     "[scene=NAME] [table=T.csv] [verdicts=V.csv]\n"
-                     "       benchmarks certified_motions PROBLEM.cfg V.csv NAME\n";
+    if (count != 4 && count != 6) {
+        std::cerr << "usage: benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [SCENE TABLE.csv]\n";
         return 2;
     }
     const std::string what = words[2];
+    const bool hasTable = count == 6;
     ompl::msg::noOutputHandler();
-    const Problem problem = readProblem(words[1]);
-    if (endsWith(what, ".csv")) return Comparison(problem, problem.margin).compareWith(what, words[3]) > 0;
-    const Choices choices = readChoices(count, words);
-    ompl::RNG::setSeed(choices.seed);
-    const double margin = choices.margin.value_or(problem.margin);
-    Comparison comparison(problem, margin);
+    ompl::RNG::setSeed(1);
+    Comparison comparison(readProblem(words[1]));
     const auto most = static_cast<std::size_t>(parseInteger(words[3]).value());
     const bool isPath = endsWith(what, ".path");
     if (isPath) {
-        comparison.cut(what, most, choices.parts);
+        comparison.read(what, most);
     } else {
         comparison.record(what, most);
     }
-    std::cout << words[1] << " " << what << " margin " << margin << "\n";
+    std::cout << words[1] << " " << what << "\n";
     std::ofstream table;
-    if (!choices.table.empty()) table = openTable(choices.table);
-    const std::string label = choices.scene + "," + (isPath ? "path" : what) + "," + shortNumber(margin) +
-                              "," + std::to_string(choices.parts);
-    const std::size_t lost = comparison.compare(choices.table.empty() ? nullptr : &table, label);
-    if (!choices.table.empty() && !table.flush())
-        throw std::runtime_error("cannot write '" + choices.table + "'");
-    if (!choices.verdicts.empty()) comparison.append(choices.verdicts, choices.scene);
+    if (hasTable) table = openTable(words[5]);
+    const std::string label = hasTable ? std::string(words[4]) + "," + (isPath ? "path" : what) : "";
+    const std::size_t lost = comparison.compare(hasTable ? &table : nullptr, label);
+    if (hasTable && !table.flush()) throw std::runtime_error(std::string("cannot write '") + words[5] + "'");
     return lost > 0;
 }
 

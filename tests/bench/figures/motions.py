@@ -3,33 +3,27 @@
 from results import matching, numbers, shown, span, table, whole
 
 SCENES = ("tunnel-console-3", "large-environment-2", "cembox-2")
-# Title, motions, whether at a margin, parts, kind.
+# Title, motions, kind.
 LINES = [
-    ("of RRTConnect, valid", "RRTConnect", False, "1", "valid"),
-    ("of RRTConnect, invalid", "RRTConnect", False, "1", "invalid"),
-    ("of PRM, valid", "PRM", False, "1", "valid"),
-    ("of KPIECE1, to the last valid pose", "KPIECE1", False, "1", "invalid"),
-    ("segments of the scene's path", "path", False, "1", "valid"),
-    ("sixteenths of the segments", "path", False, "16", "valid"),
-    ("segments at a margin just below the path's clearance", "path", True, "1", "valid"),
-    ("least clearance of the segments", "path", False, "1", "least clearance"),
+    ("of RRTConnect, valid", "RRTConnect", "valid"),
+    ("of RRTConnect, invalid", "RRTConnect", "invalid"),
+    ("of PRM, valid", "PRM", "valid"),
+    ("of KPIECE1, to the last valid pose", "KPIECE1", "invalid"),
+    ("segments of the scene's path", "path", "valid"),
+    ("least clearance of the segments", "path", "least clearance"),
 ]
-
-
-def lines_of(rows, motions, at_margin, parts, kind):
-    return [row for row in matching(rows, motions=motions, parts=parts, kind=kind) if (float(row["margin"]) > 0) == at_margin]
 
 
 def certified(results):
     rows = results.rows("certified_motions")
     made = []
-    for title, *keys in LINES:
+    for title, motions, kind in LINES:
         cells = []
         for scene in SCENES:
-            found = matching(lines_of(rows, *keys), scene=scene)
-            cells.append(f"{shown(found[0]['us_globally'])} -> {shown(found[0]['us_by_pairs'])}" if found else "")
+            found = matching(rows, scene=scene, motions=motions, kind=kind)
+            cells.append(f"{shown(found[0]['us_by_bound'])} -> {shown(found[0]['us_by_velocities'])}" if found else "")
         made.append([title] + cells)
-    made.append(["verdicts on planners' motions that are lost pair by pair"] + [lost(rows, scene) for scene in SCENES])
+    made.append(["verdicts on planners' motions that velocities lose"] + [lost(rows, scene) for scene in SCENES])
     return table(["motions"] + list(SCENES), made)
 
 
@@ -41,7 +35,7 @@ def lost(rows, scene):
 
 def valid_motion(results, column):
     """A figure of a valid motion of RRTConnect, from the least to the largest over the scenes."""
-    return span(numbers(results.select("certified_motions", motions="RRTConnect", kind="valid", margin="0", parts="1"), column))
+    return span(numbers(results.select("certified_motions", motions="RRTConnect", kind="valid"), column))
 
 
 def against_steps(results):

@@ -28,8 +28,8 @@ LINES = [
     ("wrong answers to these", lambda r: str(queries.all_wrong(r) or "none"), lambda r: "an exact oracle decides where libraries differ"),
     ("invalid poses called valid, close to a margin", lambda r: truth.false_valid(r, "isWithin"),
      lambda r: f"FCL, PQP and Coal: {truth.false_valid(r, *truth.PEERS)} of {truth.asked(r)}"),
-    ("a valid motion of RRTConnect, certified", lambda r: f"{motions.valid_motion(r, 'us_by_pairs')} us",
-     lambda r: f"certified by clearances of the whole part it takes {motions.valid_motion(r, 'times_faster')} times as long"),
+    ("a valid motion of RRTConnect, certified", lambda r: f"{motions.valid_motion(r, 'us_by_velocities')} us",
+     lambda r: f"in a space that only bounds displacements it takes {motions.valid_motion(r, 'times_faster')} times as long"),
     ("a state's check while planning, in place of FCL", lambda r: f"{motions.state_with_fcl(r)} times faster",
      lambda r: "FCL's OBBRSS `collide` behind the same OMPL validator"),
     ("`plan`: a first certified path", lambda r: f"{plans.median_seconds(r, '3D/bugtrap')} s for OMPL.app's bugtrap, "
