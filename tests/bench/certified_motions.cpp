@@ -1,8 +1,9 @@
-// What velocities are worth to certified motions: of the motions of a planner or of a path, verdicts, times and work in a space that
-// gives them (a StateMotion), beside one that only bounds displacements.
+// Compares a space that gives velocities (a StateMotion) with one that only bounds displacements, on the motions of a planner or of a
+// path: verdicts, times and work.
 //   benchmarks certified_motions PROBLEM.cfg PLANNER|PATH COUNT [SCENE TABLE.csv]
 // PLANNER: one of OMPL's, whose motions are recorded. PATH: a path file, whose segments are the motions.
-// TABLE.csv: the figures are appended to it, under the scene's name. Ends with 1 when velocities lose a verdict: valid by the bound, but not by them.
+// TABLE.csv: the figures are appended to it, under the scene's name. Ends with 1 when velocities lose a verdict: valid by the bound,
+// but not by them.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/util/Console.h>
@@ -12,8 +13,6 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -34,7 +33,7 @@ namespace {
 namespace ob = ompl::base;
 using planning::MotionValidator;
 
-constexpr std::size_t kLeastClearances = 20;  // by the bound, one takes up to 100 ms
+constexpr std::size_t kLeastClearances = 20;  // by the bound, one takes up to 4 s
 
 struct RecordedMotion {
     ob::ScopedState<> from, to;
@@ -116,30 +115,30 @@ class Comparison {
         const MotionValidator byBound(
             si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
                                        planning::displacementBound(*space_, scene_.part)));
-        before_.assign(motions_.size(), {});
+        byBound_.assign(motions_.size(), {});
         Rows rows{table, label, {}};
-        std::vector<Answer> after(motions_.size());
+        std::vector<Answer> withVelocities(motions_.size());
         for (int turn = 0; turn < 2; ++turn) {
             for (std::size_t i = 0; i < motions_.size(); ++i)
-                after[i] = ask(byVelocities, motions_[i], after[i]);
+                withVelocities[i] = ask(byVelocities, motions_[i], withVelocities[i]);
             for (std::size_t i = 0; i < motions_.size(); ++i)
-                before_[i] = ask(byBound, motions_[i], before_[i]);
+                byBound_[i] = ask(byBound, motions_[i], byBound_[i]);
         }
-        const auto areValid = [](const Answer& old, const Answer& found) {
-            return old.isValid && found.isValid;
+        const auto areValid = [](const Answer& bound, const Answer& velocities) {
+            return bound.isValid && velocities.isValid;
         };
-        rows.verdicts = countVerdicts(before_, after);
-        print("valid", before_, after, areValid, rows);
+        rows.verdicts = countVerdicts(byBound_, withVelocities);
+        print("valid", byBound_, withVelocities, areValid, rows);
         print(
-            "invalid", before_, after, [&](const Answer& a, const Answer& b) { return !areValid(a, b); },
-            rows);
+            "invalid", byBound_, withVelocities,
+            [&](const Answer& a, const Answer& b) { return !areValid(a, b); }, rows);
         printLeastClearances(rows);
         double further = 0, shorter = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
-            if (!motions_[i].isForward || before_[i].isValid || after[i].isValid) continue;
+            if (!motions_[i].isForward || byBound_[i].isValid || withVelocities[i].isValid) continue;
             const double length = planning::displacementBound(*space_, scene_.part)(motions_[i].from.get(),
                                                                                     motions_[i].to.get());
-            const double more = (after[i].certifiedTime - before_[i].certifiedTime) * length;
+            const double more = (withVelocities[i].certifiedTime - byBound_[i].certifiedTime) * length;
             further = std::max(further, more);
             shorter = std::max(shorter, -more);
         }
@@ -176,49 +175,50 @@ class Comparison {
         std::ostream* out;
         std::string label;
         Verdicts verdicts;
-        void add(const char* what, std::size_t count, double before, double after, double visitsBefore,
-                 double visitsAfter) const {
+        void add(const char* what, std::size_t count, double byBound, double byVelocities,
+                 double visitsByBound, double visitsByVelocities) const {
             if (out == nullptr || count == 0) return;
-            *out << label << "," << what << "," << count << "," << before * 1e6 << "," << after * 1e6 << ","
-                 << before / after << "," << visitsBefore << "," << visitsAfter << "," << verdicts.lost << ","
-                 << verdicts.gained << "\n";
+            *out << label << "," << what << "," << count << "," << byBound * 1e6 << "," << byVelocities * 1e6
+                 << "," << byBound / byVelocities << "," << visitsByBound << "," << visitsByVelocities << ","
+                 << verdicts.lost << "," << verdicts.gained << "\n";
         }
     };
 
     template <class Counts>
-    void print(const char* what, const std::vector<Answer>& before, const std::vector<Answer>& after,
+    void print(const char* what, const std::vector<Answer>& byBound, const std::vector<Answer>& byVelocities,
                const Counts& counts, const Rows& rows) const {
-        double beforeSeconds = 0, afterSeconds = 0, beforeVisits = 0, afterVisits = 0, beforePairs = 0,
-               afterPairs = 0;
+        double boundSeconds = 0, velocitySeconds = 0, boundVisits = 0, velocityVisits = 0, boundPairs = 0,
+               velocityPairs = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size(); ++i) {
-            if (!counts(before[i], after[i])) continue;
+            if (!counts(byBound[i], byVelocities[i])) continue;
             ++count;
-            beforeSeconds += before[i].seconds;
-            afterSeconds += after[i].seconds;
-            beforeVisits += double(before[i].visits);
-            afterVisits += double(after[i].visits);
-            beforePairs += double(before[i].triangleTests);
-            afterPairs += double(after[i].triangleTests);
+            boundSeconds += byBound[i].seconds;
+            velocitySeconds += byVelocities[i].seconds;
+            boundVisits += double(byBound[i].visits);
+            velocityVisits += double(byVelocities[i].visits);
+            boundPairs += double(byBound[i].triangleTests);
+            velocityPairs += double(byVelocities[i].triangleTests);
         }
         const double n = std::max<double>(1, double(count));
-        std::cout << what << ": " << count << " motions; us a motion " << beforeSeconds / n * 1e6 << " -> "
-                  << afterSeconds / n * 1e6 << " (" << beforeSeconds / afterSeconds << " times); visits "
-                  << beforeVisits / n << " -> " << afterVisits / n << "; pairs " << beforePairs / n << " -> "
-                  << afterPairs / n << "\n";
-        rows.add(what, count, beforeSeconds / n, afterSeconds / n, beforeVisits / n, afterVisits / n);
+        std::cout << what << ": " << count << " motions; us a motion " << boundSeconds / n * 1e6 << " -> "
+                  << velocitySeconds / n * 1e6 << " (" << boundSeconds / velocitySeconds << " times); visits "
+                  << boundVisits / n << " -> " << velocityVisits / n << "; pairs " << boundPairs / n << " -> "
+                  << velocityPairs / n << "\n";
+        rows.add(what, count, boundSeconds / n, velocitySeconds / n, boundVisits / n, velocityVisits / n);
     }
 
-    static Verdicts countVerdicts(const std::vector<Answer>& before, const std::vector<Answer>& after) {
-        std::size_t lost = 0, gained = 0, undecidedBefore = 0, undecidedAfter = 0;
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            lost += before[i].isValid && !after[i].isValid;
-            gained += !before[i].isValid && after[i].isValid;
-            undecidedBefore += before[i].undecided;
-            undecidedAfter += after[i].undecided;
+    static Verdicts countVerdicts(const std::vector<Answer>& byBound,
+                                  const std::vector<Answer>& byVelocities) {
+        std::size_t lost = 0, gained = 0, undecidedByBound = 0, undecidedByVelocities = 0;
+        for (std::size_t i = 0; i < byBound.size(); ++i) {
+            lost += byBound[i].isValid && !byVelocities[i].isValid;
+            gained += !byBound[i].isValid && byVelocities[i].isValid;
+            undecidedByBound += byBound[i].undecided;
+            undecidedByVelocities += byVelocities[i].undecided;
         }
-        std::cout << before.size() << " verdicts: " << lost << " lost, " << gained << " gained; undecided "
-                  << undecidedBefore << " -> " << undecidedAfter << "\n";
+        std::cout << byBound.size() << " verdicts: " << lost << " lost, " << gained << " gained; undecided "
+                  << undecidedByBound << " -> " << undecidedByVelocities << "\n";
         return {lost, gained};
     }
 
@@ -227,24 +227,25 @@ class Comparison {
         const planning::MinClearanceObjective byVelocities(si_, scene_),
             byBound(si_, planning::SharedScene(scene_, planning::stateToPose(*space_),
                                                planning::displacementBound(*space_, scene_.part)));
-        double before = 0, after = 0;
+        double boundSeconds = 0, velocitySeconds = 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < motions_.size() && count < kLeastClearances; ++i) {
-            if (!before_[i].isValid) continue;
+            if (!byBound_[i].isValid) continue;
             const ob::State *from = motions_[i].from.get(), *to = motions_[i].to.get();
             const auto seconds = [&](const planning::MinClearanceObjective& objective) {
                 const auto begin = Clock::now();
                 objective.motionCost(from, to);
                 return secondsSince(begin);
             };
-            before += seconds(byBound);
-            after += seconds(byVelocities);
+            boundSeconds += seconds(byBound);
+            velocitySeconds += seconds(byVelocities);
             ++count;
         }
         const double n = std::max<double>(1, double(count));
-        std::cout << "least clearance: " << count << " valid motions; us a motion " << before / n * 1e6
-                  << " -> " << after / n * 1e6 << " (" << before / after << " times)\n";
-        rows.add("least clearance", count, before / n, after / n, 0, 0);
+        std::cout << "least clearance: " << count << " valid motions; us a motion " << boundSeconds / n * 1e6
+                  << " -> " << velocitySeconds / n * 1e6 << " (" << boundSeconds / velocitySeconds
+                  << " times)\n";
+        rows.add("least clearance", count, boundSeconds / n, velocitySeconds / n, 0, 0);
     }
 
     Problem problem_;
@@ -252,7 +253,7 @@ class Comparison {
     ob::StateSpacePtr space_;
     ob::SpaceInformationPtr si_;
     std::vector<RecordedMotion> motions_;
-    std::vector<Answer> before_;
+    std::vector<Answer> byBound_;
 };
 
 bool endsWith(const std::string& text, const std::string& end) {
