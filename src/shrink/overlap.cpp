@@ -84,12 +84,34 @@ class DeepestSearch {
             best_.obstacleTriangle = triangle;
         }
         const double most = std::min(depth + radius, furthestFrom(place.triangle, corners));
-        if (most <= best_.lower || (depth < 0 && isApart(corners))) return;
+        if (most <= best_.lower) return;
         if (most <= enough()) {
             mostLeft_ = std::max(mostLeft_, most);
-            return;
+        } else if (depth < 0.5 * enough() && isShallow(corners, middle, radius, place.triangle)) {
+            if (depth >= 0 || !isApart(corners)) mostLeft_ = std::max(mostLeft_, enough());
+        } else {
+            open_.push({corners, triangle, most});
         }
-        open_.push({corners, triangle, most});
+    }
+
+    /// Whether no point of the piece lies deeper than enough(). Around a deeper one, all is inside for at least so far. The piece is moved
+    /// outwards and scaled, which moves no point so far. If its middle is outside then, and it meets no surface, all of it is outside. This
+    /// spares faces that only touch the part from being halved along their borders and its edges.
+    bool isShallow(Corners3 corners, const Vector3& middle, double radius, std::uint32_t nearest) {
+        const double step = 0.5 * enough();
+        const auto& [a, b, c] = part_.triangles[nearest];
+        const Vector3 &tip = part_.vertices[a],
+                      normal = (part_.vertices[b] - tip).cross(part_.vertices[c] - tip);
+        const double length = normal.norm();
+        Vector3 to = middle;
+        if (length > 0) {
+            to += step / length * normal;
+            if (isInside(to)) to = middle - step / length * normal;
+        }
+        if (isInside(to)) return false;
+        const double share = 1 - step / std::max(step, radius);
+        for (Vector3& corner : corners) corner = to + share * (corner - middle);
+        return isApart(corners);
     }
 
     /// No point of the piece lies deeper than this: the distance to one triangle of the surface is convex.

@@ -5,6 +5,7 @@
 
 #include "support/oracle.h"
 #include "support/random_meshes.h"
+#include "support/touching_problems.h"
 #include "support/winding.h"
 
 namespace clearway::testing {
@@ -41,6 +42,15 @@ BOOST_AUTO_TEST_CASE(what_is_outside_or_only_touches_has_no_depth_of_interest) {
     BOOST_TEST(touching.upper < 0.002);
 }
 
+/// A random point of one of the mesh's triangles, corners and edges included.
+Vector3 pointOn(const Mesh& mesh, Random& random) {
+    const auto& t = mesh.triangles[std::size_t(random.below(int(mesh.triangles.size())))];
+    double u = random.below(3) == 0 ? 0 : random.uniform(0, 1),
+           v = random.below(3) == 0 ? 0 : random.uniform(0, 1);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return (1 - u - v) * mesh.vertices[t[0]] + u * mesh.vertices[t[1]] + v * mesh.vertices[t[2]];
+}
+
 BOOST_AUTO_TEST_CASE(the_deepest_point_is_within_its_bounds_at_random_poses) {
     Random random(5);
     const Mesh part = torus(4, 1.5, 10), obstacle = box({1, 2, 3}, 2);
@@ -57,15 +67,36 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_is_within_its_bounds_at_random_poses) {
             BOOST_TEST(found.upper <= 1.01 * found.lower + 2e-3);
         }
         for (int k = 0; k < 100; ++k) {
-            const auto& t = seen.triangles[std::size_t(random.below(int(seen.triangles.size())))];
-            double u = random.uniform(0, 1), v = random.uniform(0, 1);
-            if (u + v > 1) u = 1 - u, v = 1 - v;
-            const Vector3 p =
-                (1 - u - v) * seen.vertices[t[0]] + u * seen.vertices[t[1]] + v * seen.vertices[t[2]];
-            BOOST_REQUIRE(depthOf(part, p) <= found.upper + 1e-9);
+            BOOST_REQUIRE(depthOf(part, pointOn(seen, random)) <= found.upper + 1e-9);
         }
     }
     BOOST_TEST(reaching > 10);
+}
+
+/// Faces that coincide, or nearly so, are decided without halving them along all their edges. Nothing deeper is lost by that.
+BOOST_AUTO_TEST_CASE(nothing_of_a_touching_obstacle_lies_deeper_than_the_bound) {
+    Random random(9);
+    int deep = 0;
+    for (const TouchingProblem& problem : touchingProblems()) {
+        const OverlapMeter meter(problem.part);
+        Box box;
+        for (const Vector3& vertex : problem.part.vertices) box.extend(vertex);
+        const double size = box.diagonal().norm();
+        for (const double by : {0.0, 1e-9, 1e-4, 1e-3, 0.01}) {
+            const Vector3 shift = by * size * random.direction();
+            Pose X_environmentPart;
+            X_environmentPart.translation = -shift;
+            const DeepestPoint found = meter.deepest(problem.environment, X_environmentPart);
+            const Mesh seen = translated(problem.environment, shift);
+            for (int k = 0; k < 300; ++k) {
+                const double depth = depthOf(problem.part, pointOn(seen, random));
+                BOOST_TEST_CONTEXT(problem.name << " moved by " << shift.transpose())
+                BOOST_REQUIRE(depth <= found.upper + 1e-9);
+                deep += depth > 1e-4 * size;
+            }
+        }
+    }
+    BOOST_TEST(deep > 300);
 }
 
 }  // namespace

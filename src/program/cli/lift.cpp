@@ -21,6 +21,7 @@ constexpr double kLeastLift = 1e-8;     ///< of the part's diagonal
 constexpr double kLiftStep = 2;         ///< from one overlap to the next that may free the start
 constexpr double kLiftError = 0.05;     ///< of the least overlap that frees a start
 constexpr double kToTryFirst = 7;       ///< times the least, with which there is hardly any room to move
+constexpr double kLeastToTry = 0.003;   ///< of the part's diagonal: with less a planner hardly finds a slide
 constexpr double kMostLift = 0.02;      ///< of the part's diagonal, where nobody asked
 constexpr double kMostAskedLift = 0.2;  ///< and where somebody did
 constexpr double kMostLiftSeconds = 5;  ///< for overlaps to be tried, where nobody asked
@@ -58,7 +59,8 @@ class LiftSearch {
             const double middle = 0.5 * (tooLittle + enough);
             (isFree(middle) ? enough : tooLittle) = middle;
         }
-        Lift lift{awayFromZero(enough, 3), awayFromZero(kToTryFirst * enough, 3)};
+        Lift lift{awayFromZero(enough, 3),
+                  awayFromZero(std::max(kToTryFirst * enough, kLeastToTry * size_), 3)};
         while (lift.tryFirst > lift.least && (isSpent() || !isFree(lift.tryFirst)))
             lift.tryFirst = std::max(lift.least, awayFromZero(0.5 * lift.tryFirst, 3));
         return lift;
