@@ -165,7 +165,8 @@ study::StudyProblem loadProblem(const std::string& file) {
     study.part = std::move(meshes.part);
     if (study.obstacles.hasSolids()) study.partSolids = makeSolids(study.part).solids;
     std::vector<std::string> notes;
-    study.shrunk = shrinkPart(study.problem, study.part, study.obstacles, notes, interruptibleLoading());
+    study.shrunk =
+        shrinkForOverlaps(study.problem, study.part, study.obstacles, notes, interruptibleLoading());
     printWarnings(notes);
     const fs::path poses = fs::path(file).parent_path() / (fs::path(file).stem().string() + "_replay.poses");
     if (fs::exists(poses)) study.replayPoses = readPoses(poses.string()).poses;

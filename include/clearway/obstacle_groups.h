@@ -22,12 +22,13 @@ Mesh joinedEnvironment(const std::vector<Mesh>& files);
 
 /// Components that share a margin and count alike. One Obstacle is built from each group.
 struct ObstacleGroup {
-    Mesh mesh;                                 ///< the components, in the environment's frame
-    double margin = 0;                         ///< environment units, >= 0
-    double overlap = 0;                        ///< environment units, >= 0; 0 if the margin is above 0
-    std::shared_ptr<const Solids> solids;      ///< null unless solid or with an overlap
-    bool isIgnoredAtStart = false;             ///< see Obstacle
-    bool isIgnoredAtGoal = false;              ///< see Obstacle
+    Mesh mesh;                             ///< the components, in the environment's frame
+    double margin = 0;                     ///< environment units, >= 0
+    double overlap = 0;                    ///< environment units, >= 0; 0 if the margin is above 0
+    double shrunkBy = 0;                   ///< see Obstacle; the overlap, or 0 if the part is to be shrunk
+    std::shared_ptr<const Solids> solids;  ///< null unless solid or with an overlap
+    bool isIgnoredAtStart = false;         ///< see Obstacle
+    bool isIgnoredAtGoal = false;          ///< see Obstacle
     std::vector<std::uint32_t> fileTriangles;  ///< see Obstacle
 };
 
@@ -52,7 +53,7 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
 
 /// Makes the scene of a part among the groups, whose models `build` makes. The contact zones of the rules lie
 /// around the part's start and goal. partSolids may be null if no group is solid. shrunk: the part, shrunk by each
-/// overlap of the groups.
+/// overlap of the groups that are not shrunk themselves.
 Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const ObstacleGroups& obstacles,
                 const ObstacleRules& rules, const Pose& X_environmentStart, const Pose& X_environmentGoal,
                 const std::function<Model(const Mesh&)>& build,

@@ -219,22 +219,22 @@ struct SceneLoading {
     /// Returns how much of the environment the obstacles' models need to hold; null: all of it. environmentBox holds
     /// the whole environment, ignored obstacles included.
     std::function<std::optional<QueryRange>(const Model& part, const Box& environmentBox)> range = nullptr;
-    /// Shrinks the part by each overlap of the rules. A caller may keep results, or show progress.
+    /// Shrinks the part, or obstacles in its place, by each overlap of the rules. A caller may keep results, or show progress.
     std::function<ShrunkPart(const Mesh& part, const ShrinkOptions& options)> shrink = clearway::shrink;
 };
 
 /// A problem's scene, and notes for its user, one line each: the meshes' warnings (MeshOrigin::warnings), components
 /// turned over because all their triangles faced inwards, readingNote, unitNote, components of the part that enclose
-/// nothing, and thin places of a shrunk part.
+/// nothing, and thin places of what is shrunk.
 struct LoadedScene {
     Scene scene;                     ///< in the environment's frame and unit
     std::vector<std::string> notes;  ///< empty in most cases
 };
 
-/// The part shrunk by each overlap of the obstacles, with loading.shrink. Adds a note for each one that has thin places. Throws as
-/// shrink() does, naming the problem's file.
-std::vector<ShrunkPart> shrinkPart(const Problem& problem, const Mesh& part, const ObstacleGroups& obstacles,
-                                   std::vector<std::string>& notes, const SceneLoading& loading = {});
+/// Returns the part shrunk by each overlap of the obstacles, with loading.shrink. If a component of the part is open, it shrinks the
+/// obstacles in its place, and returns nothing. Adds a note for each mesh with thin places. Throws as shrink() does, naming the problem's file.
+std::vector<ShrunkPart> shrinkForOverlaps(const Problem& problem, const Mesh& part, ObstacleGroups& obstacles,
+                                          std::vector<std::string>& notes, const SceneLoading& loading = {});
 
 /// Loads the meshes and builds their models: the part, and the obstacles with their margins, solids and
 /// contact zones as the problem has them. Throws as loadPart, obstaclesOf and Model::build do, and what the

@@ -50,8 +50,9 @@ struct Obstacle {
     Model model;    ///< its mesh coordinates are the environment's frame
     double margin;  ///< environment units, >= 0; a pose is valid when the distance is larger
 
-    /// For each of the model's components, the position of its first triangle in the component's file.
-    /// Reports name triangles by these positions. Empty: the positions in the model's own mesh.
+    /// For each of the model's components, the position of its first triangle in the component's file; with shrunkBy,
+    /// for each triangle its own one. Reports name triangles by these positions. Empty: the positions in the model's
+    /// own mesh.
     std::vector<std::uint32_t> fileTriangles = {};
 
     /// With solids, a pose is also invalid when a piece of the part is inside a closed component of the
@@ -66,6 +67,14 @@ struct Obstacle {
     /// part or, with solids, one holds a piece of the other. Distances, clearances and the margin are the
     /// shrunk part's. Null: the part itself.
     std::shared_ptr<const ShrunkModel> shrunk = nullptr;
+
+    /// Above 0: the model and the solids are those of an obstacle that was shrunk by this overlap (see shrink()), in
+    /// place of a part that is open. Environment units.
+    double shrunkBy = 0;
+
+    /// How deep one may reach into the other: by `shrunk` the obstacle into the part, or by `shrunkBy` the part into the
+    /// obstacle; environment units; 0: they may not touch.
+    double overlap() const { return shrunk ? shrunk->overlap : shrunkBy; }
 };
 
 /// A zone around an assembled pose, in which given obstacles are ignored because assembled parts touch. The

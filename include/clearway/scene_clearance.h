@@ -89,7 +89,7 @@ struct WhyInvalid {
         kValid,        ///< nothing
         kOutOfBounds,  ///< outside of the state space's bounds
         kCollides,     ///< the part and an obstacle share a point
-        kTooDeep,      ///< the obstacle touches the shrunk part: it may reach deeper than the overlap
+        kTooDeep,      ///< one touches the other, shrunk one: it may reach deeper than the overlap
         kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
         kTooClose,     ///< the part and an obstacle are no farther apart than the margin
         kNoPose,       ///< a state has no pose: an entry is not finite, or its matrix is no rotation
@@ -113,7 +113,8 @@ struct WhyInvalid {
     /// The part's mesh of that pair, or the one in or around the solid: see distinctMeshNames.
     std::string partMesh;
     std::string environmentMesh;  ///< the obstacle's mesh of that pair, or the solid
-    bool isPartInside = false;    ///< kInSolid: the part is inside the obstacle
+    bool isPartInside =
+        false;  ///< kInSolid, kTooDeep: the part is in the obstacle, not the obstacle in the part
     /// The margin that the distance must exceed; for kTooDeep the allowed depth. Environment units.
     double limit = 0;
     std::optional<Coordinate> coordinate;  ///< of kOutOfBounds in SE(3) and SE(2)

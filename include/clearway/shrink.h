@@ -56,6 +56,18 @@ struct ShrunkPart {
 /// not closed (see makeSolids); and ShrinkStopped when stopped.
 ShrunkPart shrink(const Mesh& part, const ShrinkOptions& options);
 
+/// The result of shrinkCached.
+struct CachedShrunkPart {
+    ShrunkPart part;        ///< as shrink() makes it
+    bool isLoaded = false;  ///< false: shrunk
+    std::string warning;    ///< why a file could not be used or written; empty otherwise
+    bool isKept = true;     ///< whether the folder holds the shrunk part for the next time
+};
+
+/// Loads the shrunk part from the folder's file for this part and overlap, or else shrinks the part and saves it there, as buildCached
+/// does with models. Throws what shrink() throws; a folder that cannot be read or written is a warning.
+CachedShrunkPart shrinkCached(const Mesh& part, const ShrinkOptions& options, const std::string& folder);
+
 /// The shrunk part for Obstacle::shrunk. model: built from its mesh.
 std::shared_ptr<const ShrunkModel> shrunkModel(const ShrunkPart& shrunk, Model model);
 

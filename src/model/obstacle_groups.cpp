@@ -122,7 +122,6 @@ void makeSolid(ObstacleGroup& group, bool isRule, std::vector<std::string>& note
 
 std::shared_ptr<const ShrunkModel> shrunkBy(double overlap,
                                             const std::vector<std::shared_ptr<const ShrunkModel>>& shrunk) {
-    if (overlap == 0) return nullptr;
     for (const auto& model : shrunk) {
         if (model->overlap == overlap) return model;
     }
@@ -259,7 +258,8 @@ Scene makeScene(Model part, std::shared_ptr<const Solids> partSolids, const Obst
         obstacle.solids = group.solids;
         obstacle.isIgnoredAtStart = group.isIgnoredAtStart;
         obstacle.isIgnoredAtGoal = group.isIgnoredAtGoal;
-        obstacle.shrunk = shrunkBy(group.overlap, shrunk);
+        obstacle.shrunkBy = group.shrunkBy;
+        if (group.overlap > group.shrunkBy) obstacle.shrunk = shrunkBy(group.overlap, shrunk);
         scene.obstacles.push_back(std::move(obstacle));
     }
     return scene;

@@ -1,12 +1,9 @@
-// Models as files. Layout: "clearway" (8 bytes), version, byte order mark, key, payload bytes, hash (8 bytes
-// each), payload. The hash covers the key and the payload. Numbers are written as in memory; the mark reveals
-// another byte order. Raise kVersion with every change of the layout and of the tree that a build makes from
-// a given mesh and options.
+// Models as files of the cache. Raise the version with every change of the payload and of the tree that a build makes from a given mesh and
+// options.
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "clearway/errors.h"
@@ -14,6 +11,7 @@
 #include "core/archive.h"
 #include "core/hash.h"
 #include "core/replace_file.h"
+#include "core/saved_file.h"
 #include "mesh/components.h"
 #include "model/model_data.h"
 #include "model/query_range.h"
@@ -21,20 +19,7 @@
 namespace clearway {
 namespace {
 
-constexpr char kMagic[8] = {'c', 'l', 'e', 'a', 'r', 'w', 'a', 'y'};
-constexpr std::uint64_t kVersion = 8;
-constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
-
-[[noreturn]] void refuseFile(const std::string& file, const std::string& reason) {
-    throw FileError(file + ": " + reason + ", expected a model saved by this version of clearway");
-}
-
-std::uint64_t hashOf(std::uint64_t key, std::string_view payload) {
-    Hash hash;
-    hash.add(key);
-    hash.add(payload.data(), payload.size());
-    return hash.value();
-}
+constexpr SavedKind kModel = {"model", 8};
 
 /// Out: an ArchiveWriter or a Hash.
 template <class Out>
@@ -199,26 +184,12 @@ bool isSame(const Component& a, const Component& b) {
     return a.name == b.name && a.firstTriangle == b.firstTriangle && a.triangleCount == b.triangleCount;
 }
 
-std::string readWhole(const std::string& file) {
-    std::error_code unreadable;
-    std::ifstream in;
-    if (std::filesystem::is_regular_file(file, unreadable)) in.open(file, std::ios::binary | std::ios::ate);
-    if (!in.is_open()) {
-        throw FileError(file + ": cannot be read, expected a saved model");
-    }
-    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg())), '\0');
-    in.seekg(0);
-    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(in.gcount()));
-    return bytes;
-}
-
 }  // namespace
 
 std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
                        const std::optional<QueryRange>& range) {
     Hash out;
-    out.add(kVersion);
+    out.add(kModel.version);
     addOptions(out, options);
     addRange(out, range);
     out.addArray(mesh.vertices);
@@ -237,33 +208,15 @@ void Model::save(const std::string& file) const {
     addRange(payload, data_->range);
     addTree(payload, data_->tree);
     addRest(payload, data_->report, data_->components, data_->origin);
-    ArchiveWriter header;
-    header.addBytes(kMagic, sizeof kMagic);
-    for (const std::uint64_t field : {kVersion, kByteOrder, data_->key, std::uint64_t(payload.bytes().size()),
-                                      hashOf(data_->key, payload.bytes())}) {
-        header.add(field);
-    }
-    replaceFile(file, [&](std::ostream& out) { out << header.bytes() << payload.bytes(); });
+    writeSavedFile(file, kModel, data_->key, payload);
 }
 
 Model Model::load(const std::string& file) {
-    const std::string bytes = readWhole(file);
+    const SavedFile saved = readSavedFile(file, kModel);
     auto data = std::make_shared<Data>();
+    data->key = saved.key;
     try {
-        ArchiveReader in(bytes);
-        char magic[sizeof kMagic];
-        in.readBytes(magic, sizeof magic);
-        if (std::memcmp(magic, kMagic, sizeof magic) != 0) throw FileError("is not a saved model");
-        if (const auto version = in.read<std::uint64_t>(); version != kVersion) {
-            throw FileError(fmt::format("has format version {}", version));
-        }
-        if (in.read<std::uint64_t>() != kByteOrder) throw FileError("was saved with another byte order");
-        data->key = in.read<std::uint64_t>();
-        const auto size = in.read<std::uint64_t>(), hash = in.read<std::uint64_t>();
-        const std::string_view payload =
-            std::string_view(bytes).substr(sizeof kMagic + 5 * sizeof(std::uint64_t));
-        if (size != payload.size() || hash != hashOf(data->key, payload)) throw FileError("is damaged");
-
+        ArchiveReader in(saved.payload());
         data->report.options = readOptions(in);
         data->range = readRange(in);
         data->tree = readTree(in);
@@ -280,7 +233,7 @@ Model Model::load(const std::string& file) {
                                         data->report.triangles, leftOut, triangles));
         }
     } catch (const std::runtime_error& error) {
-        refuseFile(file, error.what());
+        refuseSavedFile(file, kModel, error.what());
     }
     data->id = newId();
     return Model(std::move(data));

@@ -41,7 +41,7 @@ std::vector<std::string> touchedObstacles(const Scene& scene, const Pose& X_envi
         const auto isTouched = [&](const Model& model) {
             return isWithin(scene.part, model, X_environmentPart, obstacle.margin, workspace);
         };
-        if (obstacle.isIgnoredAtStart || obstacle.shrunk || !isTouched(obstacle.model)) continue;
+        if (obstacle.isIgnoredAtStart || obstacle.overlap() > 0 || !isTouched(obstacle.model)) continue;
         const std::vector<Mesh> meshes = meshesOf(obstacle.model);
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             if (!meshes[i].triangles.empty() && isTouched(Model::build(meshes[i])))
@@ -84,6 +84,11 @@ std::string startAdvice(const Problem& problem, const std::vector<std::string>& 
         advice += remedies[i].key + " = " + remedies[i].value + " (" + remedies[i].effect + ")";
     }
     return advice;
+}
+
+std::string openPartAdvice(const std::string& whyPartIsOpen) {
+    return "; the part is open, too (" + whyPartIsOpen +
+           "), and an overlap needs one of both closed: contact.start lets them touch near the start";
 }
 
 }  // namespace clearway

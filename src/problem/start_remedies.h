@@ -33,6 +33,9 @@ std::vector<StartRemedy> startRemedies(const Problem& problem, const std::vector
 std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
                         bool mayOverlap);
 
+/// What follows on a refusal to shrink an obstacle in place of the part.
+std::string openPartAdvice(const std::string& whyPartIsOpen);
+
 }  // namespace clearway
 
 #pragma GCC visibility pop

@@ -63,9 +63,9 @@ SceneClearance::SceneClearance(Scene scene)
         isFree(i, somewhere, scratch_->mine());
     }
     zoneCount_ = zones_->count();
-    const auto isShrunk = [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; };
+    const auto mayOverlap = [](const Obstacle& obstacle) { return obstacle.overlap() > 0; };
     areSidesKept_ = hasSolids_ && zoneCount_ == 0 &&
-                    std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), isShrunk);
+                    std::none_of(scene_.obstacles.begin(), scene_.obstacles.end(), mayOverlap);
     if (areSidesKept_) scratch_->rememberTrees();
 }
 
@@ -260,6 +260,11 @@ void SceneClearance::nameTriangle(SceneDistance& nearest) const {
         witness.partComponent = static_cast<std::int64_t>(componentOf(scene_.part.components(), triangle));
     }
     if (obstacle.fileTriangles.empty()) return;
+    if (obstacle.shrunkBy > 0) {
+        witness.environmentTriangle =
+            obstacle.fileTriangles[static_cast<std::size_t>(witness.environmentTriangle)];
+        return;
+    }
     const auto component = static_cast<std::size_t>(witness.environmentComponent);
     witness.environmentTriangle += static_cast<std::int64_t>(obstacle.fileTriangles[component]) -
                                    obstacle.model.components()[component].firstTriangle;

@@ -48,7 +48,8 @@ constexpr std::pair<WhyInvalid::Kind, const char*> kKindNames[] = {
 WhyInvalid::Kind brokenRule(const Scene& scene, const SceneDistance& nearest) {
     if (!nearest.obstacle || !nearest.witness) return WhyInvalid::Kind::kInSolid;
     const Obstacle& obstacle = scene.obstacles[*nearest.obstacle];
-    if (nearest.collides()) return obstacle.shrunk ? WhyInvalid::Kind::kTooDeep : WhyInvalid::Kind::kCollides;
+    if (nearest.collides())
+        return obstacle.overlap() > 0 ? WhyInvalid::Kind::kTooDeep : WhyInvalid::Kind::kCollides;
     return nearest.lower > obstacle.margin ? WhyInvalid::Kind::kInSolid : WhyInvalid::Kind::kTooClose;
 }
 
@@ -56,6 +57,21 @@ std::string pairWords(const WhyInvalid& why) {
     return fmt::format("triangle {} of the part's mesh '{}' and triangle {} of the environment's mesh '{}'",
                        why.nearest.witness->partTriangle, why.partMesh,
                        why.nearest.witness->environmentTriangle, why.environmentMesh);
+}
+
+std::string tooDeepWords(const WhyInvalid& why, const std::string& overlap) {
+    if (why.isPartInside)
+        return fmt::format(
+            "in collision: the part's mesh '{}' may reach deeper into the environment's mesh '{}' than the "
+            "overlap {}, at triangle {}, nearest to triangle {} of the environment",
+            why.partMesh, why.environmentMesh, overlap, why.nearest.witness->partTriangle,
+            why.nearest.witness->environmentTriangle);
+    return fmt::format(
+        "in collision: the environment's mesh '{}' may reach deeper into the part's mesh '{}' than the "
+        "overlap "
+        "{}, at triangle {}, nearest to triangle {} of the part",
+        why.environmentMesh, why.partMesh, overlap, why.nearest.witness->environmentTriangle,
+        why.nearest.witness->partTriangle);
 }
 
 std::string boundWords(const WhyInvalid::Coordinate& at) {
@@ -91,11 +107,7 @@ std::string WhyInvalid::words() const {
             return fmt::format("in collision: {} are touching, expected a distance above {}",
                                pairWords(*this), inUnit(limit));
         case Kind::kTooDeep:
-            return fmt::format(
-                "in collision: the environment's mesh '{}' may reach deeper into the part's mesh '{}' than "
-                "the overlap {}, at triangle {}, nearest to triangle {} of the part",
-                environmentMesh, partMesh, inUnit(limit), nearest.witness->environmentTriangle,
-                nearest.witness->partTriangle);
+            return tooDeepWords(*this, inUnit(limit));
         case Kind::kInSolid:
             return "in collision: " + enclosureWords(*this);
         case Kind::kTooClose:
@@ -137,7 +149,8 @@ WhyInvalid SceneClearance::whyInvalid(const Pose& X_environmentPart, const PoseC
     why.nearest = nearest;
     why.obstacle = nearest.obstacle;
     const Obstacle& obstacle = scene_.obstacles[*why.obstacle];
-    why.limit = why.kind == WhyInvalid::Kind::kTooDeep ? obstacle.shrunk->overlap : obstacle.margin;
+    why.limit = why.kind == WhyInvalid::Kind::kTooDeep ? obstacle.overlap() : obstacle.margin;
+    why.isPartInside = why.kind == WhyInvalid::Kind::kTooDeep && obstacle.shrunkBy > 0;
     const MeshNames names = distinctMeshNames(scene_, nearest);
     why.partMesh = names.part;
     why.environmentMesh = names.environment;

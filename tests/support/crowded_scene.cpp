@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clearway/shrink.h"
 #include "planning/space/ompl_states.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
@@ -42,8 +43,16 @@ Obstacle obstacleOf(const CrowdedLayout& layout, const CrowdedLayout::Piece& pie
         const double away = 4 * (range->positions.diagonal().norm() + range->partRadius + range->cap);
         mesh = joined(mesh, translated(box({1, 1, 1}), layout.at + Vector3(away, 0, 0)));
     }
+    const bool mayEnter = piece.overlap > 0;
+    if (piece.isItselfShrunk) mesh = shrink(mesh, {piece.overlap}).mesh;
     Obstacle obstacle{Model::build(mesh, {}, range), piece.margin};
-    if (piece.isSolid) obstacle.solids = makeSolids(mesh).solids;
+    if (piece.isSolid || mayEnter) obstacle.solids = makeSolids(mesh).solids;
+    if (piece.isItselfShrunk) {
+        obstacle.shrunkBy = piece.overlap;
+    } else if (mayEnter) {
+        const ShrunkPart shrunk = shrink(translated(layout.body, layout.bodyInPart), {piece.overlap});
+        obstacle.shrunk = shrunkModel(shrunk, Model::build(shrunk.mesh));
+    }
     obstacle.isIgnoredAtStart = piece.isIgnoredAtStart;
     obstacle.isIgnoredAtGoal = piece.isIgnoredAtGoal;
     return obstacle;
@@ -234,6 +243,25 @@ CrowdedLayout plane() {
     return layout;
 }
 
+/// A cross-shaped plate is pressed into a tray and between two rails, and ends pressed into a block.
+CrowdedLayout pressFit() {
+    CrowdedLayout layout;
+    layout.name = "press fit";
+    layout.body = joined(box({3, 2, 0.5}, 2), movedTo({0, 0, 1}, box({1, 0.4, 0.8})));
+    const Mesh rail = box({3, 0.2, 0.8});
+    layout.pieces = {{movedTo({0, 0, -0.45}, box({4, 3, 0.5}, 2)), 0, false, false, false, 0.2},
+                     {joined(movedTo({0, 2.15, 0.5}, rail), movedTo({0, -2.15, 0.5}, rail)), 0, false, false,
+                      false, 0.15, true},
+                     {movedTo({11, 0, 0.5}, box({2, 4, 2}, 2)), 0, true, false, false, 0.3, true},
+                     {movedTo({5, 0, 4}, sphere(1, 5)), 0.1}};
+    layout.room = roomAround({4, 0, 2}, {14, 10, 8});
+    layout.places = {assembledAt({0, 0, 0.5}, 0, {0, 0, 1}), assembledAt({6.1, 0, 0.5}, 0, {-1, 0, 0}),
+                     placeAt({0, 0, 2.5}), placeAt({6, 0, 0.5}, 0.3)};
+    layout.spread = 1;
+    layout.turn = 0.4;
+    return layout;
+}
+
 CrowdedLayout needleWork() {
     Random random(5);
     CrowdedLayout layout;
@@ -266,12 +294,14 @@ std::vector<CrowdedLayout> crowdedLayouts() {
             assembly(),
             shells(),
             plane(),
+            pressFit(),
             needleWork(),
             changed(yard(), "yard, range", 0, 0, true),
             changed(plane(), "plane, range", 0, 0, true),
             changed(assembly(), "assembly, far", 7e5, 0, false),
             changed(plane(), "plane, far, off centre, range", 7e5, 40, true),
             changed(needleWork(), "needles, far", 1e6, 0, false),
+            changed(pressFit(), "press fit, far, off centre, range", 1e4, 40, true),
             changed(shells(), "shells, off centre", 0, 200, false),
             changed(assembly(), "assembly, far off centre", 0, 7e5, false),
             changed(shells(), "shells, far off centre", 0, 1e5, false),

@@ -1,4 +1,4 @@
-// Scenes with all that motions know: several obstacles with margins of their own, contact zones, solids and
+// Scenes with all that motions know: several obstacles with margins of their own, contact zones, solids, overlaps and
 // reaches; also far from the origin, with a part far from its own origin, and made of needles.
 #pragma once
 
@@ -22,6 +22,8 @@ struct CrowdedLayout {
         Mesh mesh;
         double margin = 0;
         bool isSolid = false, isIgnoredAtStart = false, isIgnoredAtGoal = false;
+        double overlap = 0;           ///< how deep the piece may reach into the body, or
+        bool isItselfShrunk = false;  ///< the body into the piece
     };
     /// A pose of the body at and near which motions begin and end.
     struct Place {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "clearway/shrink.h"
+
 namespace clearway::testing {
 namespace {
 
@@ -68,6 +70,20 @@ MeshFamily combs() {
         return pose;
     };
     return {"comb", comb(4), comb(5), 1, resting};
+}
+
+/// The part is shrunk, with mitres and strips at its edges, and rests where the whole comb is as deep as its faces moved.
+MeshFamily shrunkComb() {
+    constexpr double kOverlap = 0.25, kFaceDepth = 0.75 * kOverlap;
+    MeshFamily family = combs();
+    family.name = "shrunk-comb";
+    family.part = shrink(family.part, {kOverlap}).mesh;
+    family.resting = [resting = family.resting](Random& random) {
+        Pose pose = resting(random);
+        for (int k = 0; k < 3; ++k) pose.translation[k] += kFaceDepth * (random.below(3) - 1);
+        return pose;
+    };
+    return family;
 }
 
 /// A strip, 8 deep, over a line with whole heights; its flat back is `away` from the line.
@@ -196,6 +212,7 @@ std::vector<MeshFamily> meshFamilies() {
     return {boxes("box", Vector3(1, 2, 1), Vector3(4, 4, 2)),
             boxes("box-decimal", Vector3(0.1, 0.7, 0.3), Vector3(1.1, 0.9, 0.3)),
             combs(),
+            shrunkComb(),
             puzzle(),
             roundPeg(0),
             roundPeg(1e-6),

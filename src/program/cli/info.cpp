@@ -132,7 +132,7 @@ WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clear
     const auto& obstacles = clearance.scene().obstacles;
     const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
                           std::any_of(obstacles.begin(), obstacles.end(),
-                                      [](const Obstacle& obstacle) { return obstacle.shrunk != nullptr; });
+                                      [](const Obstacle& obstacle) { return obstacle.overlap() > 0; });
     const std::string note = mayTouch || !why.isValid() ? "" : enclosures.at(X_environmentPart);
     if (!note.empty()) printWarnings({label + " " + note});
     return why.kind;

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "mesh/components.h"
 #include "model/solids.h"
+#include "problem/start_remedies.h"
 #include "program/options/print.h"
 #include "program/report/frames.h"
 #include "program/report/path_line.h"
@@ -26,8 +29,10 @@ struct PosedAt {
     Pose X_environmentPart;
 };
 
+/// What may reach into the other: a component of an obstacle into the part or, if the part is open, the part into a group
+/// of obstacles.
 struct Piece {
-    Mesh mesh;           ///< one component of an obstacle
+    Mesh mesh;           ///< of the component, or of the group
     double allowed = 0;  ///< FoundOverlap::allowed
 };
 
@@ -39,36 +44,93 @@ void addComponents(const Mesh& mesh, double allowed, std::vector<Piece>& to) {
     }
 }
 
-/// Finds, for each piece that reaches into the part, the pose and the point where it is deepest; the deepest piece
-/// first. Depths below leastDepth (environment units) may be missed.
-std::vector<FoundOverlap> findOverlaps(const Mesh& part, const OverlapMeter& meter,
-                                       const std::vector<Piece>& pieces, const std::vector<PosedAt>& poses,
-                                       double leastDepth) {
-    const Model model = Model::build(part);
-    const Solids inPart(part);
-    std::vector<FoundOverlap> all;
-    Workspace workspace;
-    for (const Piece& piece : pieces) {
+/// The first component that is around the point.
+std::string nameAround(const Mesh& mesh, const Vector3& point) {
+    const std::vector<Component> components = componentsOf(mesh);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (Solid::oriented(meshOfComponents(mesh, {i})).winding({}, {}, point) != 0)
+            return components[i].name;
+    }
+    return components[0].name;
+}
+
+class Measuring {
+  public:
+    explicit Measuring(const Mesh& part)
+        : part_(part), model_(Model::build(part)), inPart_(part), isPartOpen_(!inPart_.refusals().empty()) {
+        if (!isPartOpen_) inPartMeter_.emplace(part);
+    }
+
+    std::vector<Piece> piecesOf(const ObstacleGroup& group) const {
+        std::vector<Piece> pieces;
+        if (isPartOpen_) {
+            pieces.push_back({group.mesh, group.overlap});
+        } else {
+            addComponents(group.mesh, group.overlap, pieces);
+        }
+        return pieces;
+    }
+
+    /// Depths below leastDepth (environment units) may be missed.
+    std::optional<FoundOverlap> deepest(const Piece& piece, const std::vector<PosedAt>& poses,
+                                        double leastDepth) {
         const Model tree = Model::build(piece.mesh);
         const Solids inPiece(piece.mesh);
+        std::optional<OverlapMeter> inPieceMeter;
         FoundOverlap found;
-        found.obstacle = componentsOf(piece.mesh)[0].name;
-        found.allowed = piece.allowed;
-        for (const PosedAt& pose : poses) {
-            if (!collides(model, tree, pose.X_environmentPart, workspace) &&
-                !inPart.holding(pose.X_environmentPart, inPiece, {}))
-                continue;
-            const DeepestPoint deepest = meter.deepest(piece.mesh, pose.X_environmentPart, leastDepth);
+        for (const PosedAt& at : poses) {
+            const Pose& pose = at.X_environmentPart;
+            const bool holds = isPartOpen_ ? inPiece.holding({}, inPart_, pose).has_value()
+                                           : inPart_.holding(pose, inPiece, {}).has_value();
+            if (!holds && !collides(model_, tree, pose, workspace_)) continue;
+            if (isPartOpen_ && !inPieceMeter) inPieceMeter.emplace(meterOf(piece.mesh));
+            DeepestPoint deepest = isPartOpen_ ? inPieceMeter->deepest(part_, inverse(pose), leastDepth)
+                                               : inPartMeter_->deepest(piece.mesh, pose, leastDepth);
             if (deepest.lower <= found.deepest.lower) continue;
+            if (isPartOpen_) deepest.point = pose * deepest.point;
             found.deepest = deepest;
-            found.share = pose.share;
+            found.share = at.share;
         }
-        if (found.deepest.obstacleTriangle >= 0) all.push_back(found);
+        if (found.deepest.obstacleTriangle < 0) return std::nullopt;
+        found.allowed = piece.allowed;
+        found.isPartInside = isPartOpen_;
+        found.obstacle =
+            isPartOpen_ ? nameAround(piece.mesh, found.deepest.point) : componentsOf(piece.mesh)[0].name;
+        return found;
     }
-    std::sort(all.begin(), all.end(),
-              [](const FoundOverlap& a, const FoundOverlap& b) { return a.deepest.lower > b.deepest.lower; });
-    return all;
-}
+
+    /// The deepest first.
+    std::vector<FoundOverlap> all(const ObstacleGroups& obstacles, bool ofAllowed,
+                                  const std::vector<PosedAt>& poses, double leastDepth) {
+        std::vector<FoundOverlap> all;
+        for (const ObstacleGroup& group : obstacles.groups) {
+            if (ofAllowed && group.overlap == 0) continue;
+            for (const Piece& piece : piecesOf(group)) {
+                if (const auto found = deepest(piece, poses, leastDepth)) all.push_back(*found);
+            }
+        }
+        std::sort(all.begin(), all.end(), [](const FoundOverlap& a, const FoundOverlap& b) {
+            return a.deepest.lower > b.deepest.lower;
+        });
+        return all;
+    }
+
+  private:
+    OverlapMeter meterOf(const Mesh& obstacles) const {
+        try {
+            return OverlapMeter(obstacles);
+        } catch (const std::invalid_argument& error) {
+            throw ArgumentError(error.what() + openPartAdvice(inPart_.refusals()[0]));
+        }
+    }
+
+    const Mesh& part_;
+    const Model model_;
+    const Solids inPart_;
+    const bool isPartOpen_;
+    std::optional<OverlapMeter> inPartMeter_;
+    Workspace workspace_;
+};
 
 }  // namespace
 
@@ -76,36 +138,31 @@ std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshe
                                         const std::vector<PartState>& path) {
     double least = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : scene.obstacles) {
-        if (obstacle.shrunk) least = std::min(least, obstacle.shrunk->overlap);
+        if (obstacle.overlap() > 0) least = std::min(least, obstacle.overlap());
     }
     if (std::isinf(least)) return {};
     const report::PathLine line(path, scene.part.radiusAboutOrigin());
     std::vector<PosedAt> poses;
     for (const double share : report::evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
-    const ObstacleGroups obstacles = obstaclesOf(problem, meshes.worlds);
-    std::vector<Piece> pieces;
-    for (const ObstacleGroup& group : obstacles.groups) {
-        if (group.overlap > 0) addComponents(group.mesh, group.overlap, pieces);
-    }
-    return findOverlaps(meshes.part, OverlapMeter(meshes.part), pieces, poses, kShareOfInterest * least);
+    return Measuring(meshes.part)
+        .all(obstaclesOf(problem, meshes.worlds), true, poses, kShareOfInterest * least);
 }
 
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes) {
     Problem allowingNone = problem;
     allowingNone.rules.overlap = {};
-    std::vector<Piece> pieces;
-    for (const ObstacleGroup& group : obstaclesOf(allowingNone, meshes.worlds).groups)
-        addComponents(group.mesh, 0, pieces);
-    return findOverlaps(meshes.part, OverlapMeter(meshes.part), pieces, {{0, poseOf(problem.start)}}, 0);
+    return Measuring(meshes.part)
+        .all(obstaclesOf(allowingNone, meshes.worlds), false, {{0, poseOf(problem.start)}}, 0);
 }
 
 void requireAllowed(const std::vector<FoundOverlap>& overlaps) {
     for (const FoundOverlap& found : overlaps) {
         if (found.deepest.lower <= found.allowed * (1 + kRounding)) continue;
-        throw std::logic_error(fmt::format(
-            "the path is certified, but is not valid: at {} of it an obstacle reaches {}, expected at "
-            "most {}; please report this contradiction",
-            readable(found.share), describe(found), shownLength(found.allowed)));
+        throw std::logic_error(
+            fmt::format("the path is certified, but is not valid: at {} of it {} reaches {}, expected at "
+                        "most {}; please report this contradiction",
+                        readable(found.share), found.isPartInside ? "the part" : "an obstacle",
+                        describe(found), shownLength(found.allowed)));
     }
 }
 
@@ -123,8 +180,9 @@ std::string depthText(double depth) {
 }
 
 std::string describe(const FoundOverlap& found) {
-    return fmt::format("{} deep, at {}, triangle {} of '{}'", inUnit(depthText(found.deepest.lower)),
-                       shownPlace(found.deepest.point), found.deepest.obstacleTriangle, found.obstacle);
+    return fmt::format("{} deep, at {}, triangle {} of {}'{}'", inUnit(depthText(found.deepest.lower)),
+                       shownPlace(found.deepest.point), found.deepest.obstacleTriangle,
+                       found.isPartInside ? "the part in " : "", found.obstacle);
 }
 
 Json toJson(const std::vector<FoundOverlap>& overlaps) {
@@ -135,6 +193,7 @@ Json toJson(const std::vector<FoundOverlap>& overlaps) {
              {"depth", {{"lower", toJson(found.deepest.lower)}, {"upper", toJson(found.deepest.upper)}}},
              {"point", toJson(found.deepest.point)},
              {"triangle", found.deepest.obstacleTriangle},
+             {"triangle_of", found.isPartInside ? "part" : "obstacle"},
              {"share_of_path", toJson(found.share)}});
     }
     return json;

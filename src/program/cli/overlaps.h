@@ -1,4 +1,4 @@
-// How deep obstacles reach into the whole part at given poses, for those who look at a path.
+// How deep obstacles reach into the part, or an open part into obstacles, at given poses, for those who look at a path.
 #pragma once
 
 #include <string>
@@ -15,15 +15,18 @@ struct FoundOverlap {
     std::string obstacle;  ///< name of the component
     double share = 0;      ///< of the path, where it is deepest
     DeepestPoint deepest;
-    double allowed = 0;  ///< the overlap
+    double allowed = 0;         ///< the overlap
+    bool isPartInside = false;  ///< the part is open: it reaches into the obstacle, not the obstacle into it
 };
 
 /// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest
-/// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none.
+/// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none. If the part is open,
+/// where it reaches deepest into each group of obstacles that count alike.
 std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                                         const std::vector<PartState>& path);
 
-/// For each obstacle that reaches into the part at the problem's start, where it reaches deepest.
+/// For each obstacle that reaches into the part at the problem's start, where it reaches deepest; likewise. Throws ArgumentError if both
+/// the part and an obstacle that it may reach into are open.
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes);
 
 /// Cross-checks a path that was certified as valid: throws std::logic_error if a measured overlap is deeper than

@@ -138,11 +138,9 @@ void tellScene(const Scene& scene) {
         const std::vector<Component>& components = obstacle.model.components();
         for (const Component& component : components) fact.value["names"].push_back(component.name);
         fact.value["margin"] = toJson(obstacle.margin);
-        if (obstacle.shrunk) {
-            fact.value["overlap"] = toJson(obstacle.shrunk->overlap);
-        }
-        fact = obstacleFact(components, obstacle.model.report().triangles,
-                            obstacle.shrunk ? obstacle.shrunk->overlap : 0, obstacle, fact.value);
+        if (obstacle.overlap() > 0) fact.value["overlap"] = toJson(obstacle.overlap());
+        fact = obstacleFact(components, obstacle.model.report().triangles, obstacle.overlap(), obstacle,
+                            fact.value);
         if (!isPlain) printRow(fact.label, fact.shown);
         obstacles.push_back(fact.value);
     }

@@ -10,6 +10,7 @@
 
 #include "clearway/planning/plan.h"
 #include "clearway/targets.h"
+#include "core/clock.h"
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "program/options/facts.h"
@@ -30,6 +31,12 @@ bool isSameFile(const std::string& a, const std::string& b) {
     return !unknown && wholeA == wholeB;
 }
 
+/// A folder that keeps nothing is reported once, not for each obstacle.
+void warnOfCache(const std::string& warning, bool isKept) {
+    static std::atomic<bool> isReported{false};
+    if (!warning.empty() && (isKept || !isReported.exchange(true))) printWarnings({warning});
+}
+
 }  // namespace
 
 Problem readJudged(const std::string& file) {
@@ -42,12 +49,12 @@ SceneMeshes guardedLoadMeshes(const Problem& problem) {
     return loadMeshes(problem, guardedLoadMesh);
 }
 
-SceneLoading interruptibleLoading() {
+SceneLoading interruptibleLoading(const TreeChoice& trees) {
     SceneLoading loading;
-    loading.shrink = [](const Mesh& part, ShrinkOptions options) {
-        const ElapsedLine elapsed("shrinking the part by " + shownLength(options.overlap));
+    loading.shrink = [trees](const Mesh& mesh, ShrinkOptions options) {
+        const ElapsedLine elapsed("shrinking by " + shownLength(options.overlap));
         options.isStopped = isInterrupted;
-        return shrink(part, options);
+        return trees.shrink(mesh, options);
     };
     return loading;
 }
@@ -84,19 +91,23 @@ Model TreeChoice::build(const Mesh& mesh) const {
 Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,
                         const std::optional<QueryRange>& range) const {
     if (cache.empty()) return Model::build(mesh, others, range);
-    const CachedModel cached = buildCached(mesh, others, cache, range);
-    // A folder that keeps no models is reported once, not for each obstacle.
-    static std::atomic<bool> isReported{false};
-    if (!cached.warning.empty() && (cached.isKept || !isReported.exchange(true)))
-        printWarnings({cached.warning});
-    return cached.model;
+    CachedModel cached = buildCached(mesh, others, cache, range);
+    warnOfCache(cached.warning, cached.isKept);
+    return std::move(cached.model);
+}
+
+ShrunkPart TreeChoice::shrink(const Mesh& mesh, const ShrinkOptions& shrinkOptions) const {
+    if (cache.empty()) return clearway::shrink(mesh, shrinkOptions);
+    CachedShrunkPart cached = shrinkCached(mesh, shrinkOptions, cache);
+    warnOfCache(cached.warning, cached.isKept);
+    return std::move(cached.part);
 }
 
 ProblemScenes::ProblemScenes(const Problem& problem, TreeChoice trees)
     : trees_(std::move(trees)), meshes_(guardedLoadMeshes(problem)) {}
 
 LoadedScene ProblemScenes::sceneWithNotes(const Problem& problem, const planning::PlanOptions& plan) {
-    SceneLoading loading = interruptibleLoading();
+    SceneLoading loading = interruptibleLoading(trees_);
     loading.range = [&](const Model& part, const Box& environmentBox) {
         return planning::planningRange(problem, plan, part, environmentBox);
     };
@@ -110,7 +121,7 @@ Scene ProblemScenes::scene(const Problem& problem, const planning::PlanOptions& 
 }
 
 Scene ProblemScenes::wholeScene(const Problem& problem) {
-    return load(problem, interruptibleLoading()).scene;
+    return load(problem, interruptibleLoading(trees_)).scene;
 }
 
 Model ProblemScenes::modelOf(const Mesh& mesh, const std::optional<QueryRange>& range) const {
@@ -131,6 +142,13 @@ LoadedScene ProblemScenes::load(const Problem& problem, SceneLoading loading) {
         const Model model = modelOf(mesh, options, range);
         models.emplace(model.key(), model);
         return model;
+    };
+    shrinkSeconds_ = 0;
+    loading.shrink = [&, shrink = loading.shrink](const Mesh& mesh, const ShrinkOptions& options) {
+        const Clock::time_point begin = Clock::now();
+        ShrunkPart shrunk = shrink(mesh, options);
+        shrinkSeconds_ += secondsSince(begin);
+        return shrunk;
     };
     LoadedScene loaded = buildScene(problem, meshes_, trees_.options, loading);
     last_ = std::move(models);
@@ -170,14 +188,15 @@ std::string treeDescription(const BuildOptions& options) {
 }
 
 void addCache(CommandLine& commandLine, TreeChoice& choice) {
-    commandLine.option("--cache DIR",
-                       "keeps built trees in this folder and takes them from there the next time",
-                       [&choice](const std::string& value) {
-                           std::error_code failed;
-                           std::filesystem::create_directories(value, failed);
-                           if (failed) throw Expected{"a folder that exists or can be made"};
-                           choice.cache = value;
-                       });
+    commandLine.option(
+        "--cache DIR",
+        "keeps built trees and shrunk parts in this folder and takes them from there the next time",
+        [&choice](const std::string& value) {
+            std::error_code failed;
+            std::filesystem::create_directories(value, failed);
+            if (failed) throw Expected{"a folder that exists or can be made"};
+            choice.cache = value;
+        });
 }
 
 std::vector<std::string> inputsOf(const Problem& problem) {

@@ -23,10 +23,6 @@ Problem readJudged(const std::string& file);
 /// Calls loadMeshes behind the load guard.
 SceneMeshes guardedLoadMeshes(const Problem& problem);
 
-/// How the program makes scenes: a line counts the seconds of shrinking, which Ctrl-C stops where heedInterrupts() was called:
-/// loadScene then throws ShrinkStopped.
-SceneLoading interruptibleLoading();
-
 /// The problem file, and the margin that replaces the file's.
 struct ProblemChoice {
     std::string file;
@@ -45,7 +41,7 @@ void addOmplWeights(CommandLine& commandLine, bool& omplWeights);
 /// Declares --target: an instruction set, in use as soon as it is read.
 void addTarget(CommandLine& commandLine);
 
-/// How to build models, and the folder that keeps them (empty: none).
+/// How to build models, and the folder that keeps them and shrunk parts (empty: none).
 struct TreeChoice {
     BuildOptions options;
     std::string cache;
@@ -56,7 +52,14 @@ struct TreeChoice {
 
     /// The model with other options, and for a range.
     Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<QueryRange>& range) const;
+
+    /// Calls clearway::shrink, or takes its result from the cache as build() does.
+    ShrunkPart shrink(const Mesh& mesh, const ShrinkOptions& shrinkOptions) const;
 };
+
+/// How the program shrinks: a line counts the seconds, and Ctrl-C stops it where heedInterrupts() was called: loadScene then throws
+/// ShrinkStopped.
+SceneLoading interruptibleLoading(const TreeChoice& trees = {});
 
 /// The meshes of a problem, each file read once, and scenes of them. A scene takes over the models that it shares with the scene
 /// made before it.
@@ -77,6 +80,9 @@ class ProblemScenes {
     /// The scene of all of the meshes, however far from the part they are.
     Scene wholeScene(const Problem& problem);
 
+    /// What shrinking took for the last scene.
+    double shrinkSeconds() const { return shrinkSeconds_; }
+
     /// The model of a mesh, taken from the last scene if it is there.
     Model modelOf(const Mesh& mesh, const std::optional<QueryRange>& range) const;
 
@@ -87,6 +93,7 @@ class ProblemScenes {
 
     TreeChoice trees_;
     SceneMeshes meshes_;
+    double shrinkSeconds_ = 0;
     std::map<std::uint64_t, Model> last_;  ///< the last scene's models by their keys
 };
 

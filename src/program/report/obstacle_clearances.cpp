@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "mesh/components.h"
+#include "model/triangles_of.h"
 #include "problem/outside.h"
 
 namespace clearway::report {
@@ -21,6 +22,20 @@ Box boxOfComponent(const Mesh& mesh, const Component& component) {
             box.extend(mesh.vertices[vertex]);
     }
     return box;
+}
+
+/// The component of the model, as far as the model holds it.
+Mesh meshOf(const Model& model, const std::string& component) {
+    Mesh mesh;
+    mesh.components = {{component, 0, 0}};
+    eachTriangleOf(model, [&](std::size_t i, const TriangleCorners& corners) {
+        if (model.components()[i].name != component) return;
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    });
+    mesh.components[0].triangleCount = static_cast<std::uint32_t>(mesh.triangles.size());
+    return mesh;
 }
 
 /// Measures one component after another.
@@ -79,11 +94,13 @@ class Measuring {
         single.goalContact = scene_.goalContact;
         single.obstacles = {obstacle};
         if (obstacle.model.components().size() == 1) return single;
-        const Mesh mesh = meshOfComponents(environment_, {index});
+        const bool isShrunk = obstacle.shrunkBy > 0;
+        const Mesh mesh = isShrunk ? meshOf(obstacle.model, componentsOf(environment_)[index].name)
+                                   : meshOfComponents(environment_, {index});
         Obstacle& made = single.obstacles[0];
         made.model = Model::build(mesh, obstacle.model.report().options);
         made.fileTriangles.clear();
-        if (obstacle.solids) made.solids = makeSolids(mesh).solids;
+        if (obstacle.solids && !isShrunk) made.solids = makeSolids(mesh).solids;
         return single;
     }
 
