@@ -36,8 +36,8 @@ struct ObstacleGroup {
 struct ObstacleGroups {
     std::vector<ObstacleGroup> groups;  ///< none without triangles
     std::vector<std::string> ignored;   ///< names of the components left out
-    Box ignoredBox;                     ///< box of the ignored components; environment's frame
-    std::vector<std::string> notes;     ///< one line for each solid that was turned over
+    Box ignoredBox;  ///< box of the ignored components, and of those shrunk, as they were; environment's frame
+    std::vector<std::string> notes;  ///< one line for each solid that was turned over
 
     double largestMargin() const;          ///< the groups' largest margin; 0 without groups
     bool hasSolids() const;                ///< whether any group has solids

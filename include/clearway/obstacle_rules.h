@@ -40,7 +40,7 @@ struct ObstacleRules {
     std::vector<std::string> solid;           ///< names of solid obstacles; see Obstacle::solids
     std::optional<ContactRule> startContact;  ///< obstacles that the part may touch around the start
     std::optional<ContactRule> goalContact;   ///< obstacles that the part may touch around the goal
-    OverlapRules overlap;                     ///< for obstacles that may reach into the part
+    OverlapRules overlap;  ///< for obstacles that may reach into the part, or an open part into them
     /// Names of components that become an obstacle of their own each, so that a scene can be looked at without them.
     /// Problem files have no key for it.
     std::vector<std::string> apart;

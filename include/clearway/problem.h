@@ -232,7 +232,7 @@ struct LoadedScene {
 };
 
 /// Returns the part shrunk by each overlap of the obstacles, with loading.shrink. If a component of the part is open, it shrinks the
-/// obstacles in its place, and returns nothing. Adds a note for each mesh with thin places. Throws as shrink() does, naming the problem's file.
+/// closed obstacles in its place, and returns nothing; open obstacles then get no overlap. Adds a note for each mesh with thin places. Throws as shrink() does, naming the problem's file.
 std::vector<ShrunkPart> shrinkForOverlaps(const Problem& problem, const Mesh& part, ObstacleGroups& obstacles,
                                           std::vector<std::string>& notes, const SceneLoading& loading = {});
 

@@ -103,7 +103,7 @@ struct Scene {
     std::optional<ContactZone> startContact;   ///< needed when an obstacle is ignored at the start
     std::optional<ContactZone> goalContact;    ///< needed when an obstacle is ignored at the goal
 
-    /// The box of obstacles that were left out. It counts only for environmentBox(), from which a problem's
+    /// The box of obstacles that were left out, and of those that were shrunk, as they were. It counts only for environmentBox(), from which a problem's
     /// bounds are taken.
     Box ignoredBox;
 

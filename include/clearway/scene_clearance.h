@@ -89,13 +89,13 @@ struct WhyInvalid {
         kValid,        ///< nothing
         kOutOfBounds,  ///< outside of the state space's bounds
         kCollides,     ///< the part and an obstacle share a point
-        kTooDeep,      ///< one touches the other, shrunk one: it may reach deeper than the overlap
-        kInSolid,      ///< the part is inside a solid obstacle, or such an obstacle inside the part
-        kTooClose,     ///< the part and an obstacle are no farther apart than the margin
-        kNoPose,       ///< a state has no pose: an entry is not finite, or its matrix is no rotation
-        kOutOfRange,   ///< the environment was built with a range that does not hold the pose
-        kUnusable,     ///< not to be judged for another reason, such as a callback that threw
-        kUndecided     ///< a motion could not be certified near a margin, and no invalid pose of it is known
+        kTooDeep,   ///< one touches the other, shrunk one, or is inside: it may reach deeper than the overlap
+        kInSolid,   ///< the part is inside a solid obstacle, or such an obstacle inside the part
+        kTooClose,  ///< the part and an obstacle are no farther apart than the margin
+        kNoPose,    ///< a state has no pose: an entry is not finite, or its matrix is no rotation
+        kOutOfRange,  ///< the environment was built with a range that does not hold the pose
+        kUnusable,    ///< not to be judged for another reason, such as a callback that threw
+        kUndecided    ///< a motion could not be certified near a margin, and no invalid pose of it is known
     };
 
     /// A coordinate that is out of its bounds; environment units.
@@ -109,7 +109,8 @@ struct WhyInvalid {
     Kind kind = Kind::kValid;  ///< what is wrong
     /// Index into Scene::obstacles; none unless an obstacle is the reason.
     std::optional<std::size_t> obstacle;
-    SceneDistance nearest;  ///< the closest pair of triangles, of kCollides, kTooDeep and kTooClose
+    /// The closest pair of triangles, of kCollides, kTooDeep and kTooClose; none if one is wholly inside the other, shrunk one.
+    SceneDistance nearest;
     /// The part's mesh of that pair, or the one in or around the solid: see distinctMeshNames.
     std::string partMesh;
     std::string environmentMesh;  ///< the obstacle's mesh of that pair, or the solid

@@ -223,6 +223,16 @@ Solids Solids::oriented(const Mesh& mesh) {
     return made;
 }
 
+Solids Solids::ofComponent(std::size_t component) const {
+    Solids made;
+    made.names_ = names_;
+    const auto isOfIt = [&](const auto& each) { return each.component == component; };
+    std::copy_if(solids_.begin(), solids_.end(), std::back_inserter(made.solids_), isOfIt);
+    std::copy_if(pieces_.begin(), pieces_.end(), std::back_inserter(made.pieces_), isOfIt);
+    made.findTrees();
+    return made;
+}
+
 void Solids::findTrees() {
     std::vector<Box> boxes, points;
     for (const NamedSolid& named : solids_) {

@@ -77,6 +77,9 @@ class Solids {
     /// A solid of each component, as Solid::oriented takes it.
     static Solids oriented(const Mesh& mesh);
 
+    /// The solid and the pieces of one component alone.
+    Solids ofComponent(std::size_t component) const;
+
     const std::vector<std::string>& refusals() const { return refusals_; }
     const std::vector<std::string>& turnedOver() const { return turnedOver_; }
 

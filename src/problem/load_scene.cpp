@@ -23,42 +23,114 @@ class Shrinking {
     Shrinking(const Problem& problem, std::vector<std::string>& notes, const SceneLoading& loading)
         : problem_(problem), notes_(notes), loading_(loading) {}
 
-    /// what: names the mesh in notes. advice: follows what a refusal says.
-    ShrunkPart shrink(const Mesh& mesh, double overlap, const std::string& what,
-                      const std::string& advice) const {
-        ShrunkPart shrunk = [&] {
-            try {
-                return loading_.shrink(mesh, {overlap});
-            } catch (const std::invalid_argument& error) {
-                throw ArgumentError(problem_.file + ": [clearway] " + error.what() + advice);
-            }
-        }();
-        const ThinPlaces& thin = shrunk.thin;
-        if (thin.count > 0)
-            notes_.push_back(fmt::format(
-                "overlap = {}: {} of {} allow{} less, down to about {}, near {} (its coordinates)",
-                shortNumber(overlap),
-                thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count), what,
-                thin.count == 1 ? "s" : "", roundedNumber(thin.leastOverlap), roundedPoint(thin.at)));
+    ShrunkPart shrinkPart(const Mesh& part, double overlap) const {
+        ShrunkPart shrunk = shrink(part, overlap);
+        tell(overlap, shrunk.thin, "the part");
         return shrunk;
     }
 
-    void shrinkInPlaceOfPart(ObstacleGroup& group, const std::string& whyPartIsOpen) const {
-        const ShrunkPart shrunk =
-            shrink(group.mesh, group.overlap, "the environment", openPartAdvice(whyPartIsOpen));
-        const std::vector<Component> components = componentsOf(group.mesh);
-        std::vector<std::uint32_t> fileTriangles;
-        for (const std::uint32_t triangle : shrunk.partTriangles) {
-            const std::size_t i = componentOf(components, triangle);
-            fileTriangles.push_back(group.fileTriangles[i] + triangle - components[i].firstTriangle);
+    /// Shrinks each closed component of the groups with an overlap by itself, so that obstacles which touch each other do not hinder it.
+    /// Open components get no overlap. Throws if there are only such.
+    void shrinkInPlaceOfPart(ObstacleGroups& obstacles, const std::string& whyPartIsOpen) const {
+        std::vector<ObstacleGroup> groups;
+        std::vector<std::string> refusals;
+        bool isAnyShrunk = false;
+        for (const ObstacleGroup& group : obstacles.groups) {
+            if (group.overlap == 0) {
+                groups.push_back(group);
+                continue;
+            }
+            obstacles.ignoredBox.extend(boundingBox(group.mesh));  // a goal outside means the whole obstacles
+            auto [closed, open] = divided(group, refusals);
+            isAnyShrunk = isAnyShrunk || !closed.mesh.triangles.empty();
+            if (!closed.mesh.triangles.empty()) groups.push_back(std::move(closed));
+            if (!open.mesh.triangles.empty()) groups.push_back(std::move(open));
         }
-        group.fileTriangles = std::move(fileTriangles);
-        group.mesh = shrunk.mesh;
-        group.solids = std::make_shared<const Solids>(Solids::oriented(group.mesh));
-        group.shrunkBy = group.overlap;
+        if (!refusals.empty()) {
+            const std::string others =
+                refusals.size() == 1 ? "" : fmt::format("; {} more obstacles are open", refusals.size() - 1);
+            const std::string advice = refusals[0] + others + openPartAdvice(whyPartIsOpen);
+            if (!isAnyShrunk) throw ArgumentError(problem_.file + ": [clearway] overlap: " + advice);
+            notes_.push_back("no overlap for an open obstacle: " + advice);
+        }
+        obstacles.groups = std::move(groups);
     }
 
   private:
+    struct Divided {
+        ObstacleGroup closed, open;
+    };
+
+    ShrunkPart shrink(const Mesh& mesh, double overlap) const {
+        try {
+            return loading_.shrink(mesh, {overlap});
+        } catch (const std::invalid_argument& error) {
+            throw ArgumentError(problem_.file + ": [clearway] " + error.what());
+        }
+    }
+
+    /// what: names what is thin.
+    void tell(double overlap, const ThinPlaces& thin, const char* what) const {
+        if (thin.count == 0) return;
+        notes_.push_back(
+            fmt::format("overlap = {}: {} of {} allow{} less, down to about {}, near {} (its coordinates)",
+                        shortNumber(overlap),
+                        thin.count == 1 ? "one thin place" : fmt::format("{} thin places", thin.count), what,
+                        thin.count == 1 ? "s" : "", roundedNumber(thin.leastOverlap), roundedPoint(thin.at)));
+    }
+
+    /// The closed components, shrunk, and the open ones, each group perhaps without any. refusals: adds why components are open.
+    Divided divided(const ObstacleGroup& group, std::vector<std::string>& refusals) const {
+        constexpr double kMost = 0.49;  // of a component's diagonal: no point inside it is deeper
+        Divided made{group, group};
+        made.closed.mesh = Mesh();
+        made.closed.mesh.origin = group.mesh.origin;
+        made.closed.fileTriangles.clear();
+        made.open.fileTriangles.clear();
+        ThinPlaces thin;
+        thin.leastOverlap = group.overlap;
+        std::vector<std::size_t> open;
+        const std::vector<Component> components = componentsOf(group.mesh);
+        for (std::size_t i = 0; i < components.size(); ++i) {
+            if (components[i].triangleCount == 0) continue;
+            const Mesh one = meshOfComponents(group.mesh, {i});
+            if (const MadeSolids solids = makeSolids(one); !solids.refusals.empty()) {
+                refusals.push_back(solids.refusals[0]);
+                open.push_back(i);
+                made.open.fileTriangles.push_back(group.fileTriangles[i]);
+                continue;
+            }
+            const ShrunkPart shrunk =
+                shrink(one, std::min(group.overlap, kMost * boundingBox(one).diagonal().norm()));
+            append(shrunk.mesh, components[i].name, made.closed.mesh);
+            for (const std::uint32_t triangle : shrunk.partTriangles)
+                made.closed.fileTriangles.push_back(group.fileTriangles[i] + triangle);
+            thin.count += shrunk.thin.count;
+            if (shrunk.thin.count == 0 || shrunk.thin.leastOverlap >= thin.leastOverlap) continue;
+            thin.leastOverlap = shrunk.thin.leastOverlap;
+            thin.at = shrunk.thin.at;
+        }
+        tell(group.overlap, thin, "obstacles");
+        if (open.size() < components.size())
+            made.closed.solids = std::make_shared<const Solids>(Solids::oriented(made.closed.mesh));
+        made.closed.shrunkBy = group.overlap;
+        made.open.mesh = meshOfComponents(group.mesh, open);
+        made.open.overlap = 0;
+        if (!open.empty()) made.open.solids = makeSolids(made.open.mesh).solids;
+        return made;
+    }
+
+    static void append(const Mesh& component, const std::string& name, Mesh& to) {
+        const auto firstVertex = static_cast<std::uint32_t>(to.vertices.size());
+        to.components.push_back({name, static_cast<std::uint32_t>(to.triangles.size()),
+                                 static_cast<std::uint32_t>(component.triangles.size())});
+        to.vertices.insert(to.vertices.end(), component.vertices.begin(), component.vertices.end());
+        for (TriangleIndices triangle : component.triangles) {
+            for (std::uint32_t& vertex : triangle) vertex += firstVertex;
+            to.triangles.push_back(triangle);
+        }
+    }
+
     const Problem& problem_;
     std::vector<std::string>& notes_;
     const SceneLoading& loading_;
@@ -90,13 +162,11 @@ std::vector<ShrunkPart> shrinkForOverlaps(const Problem& problem, const Mesh& pa
     if (overlaps.empty()) return {};
     const Shrinking shrinking(problem, notes, loading);
     if (const MadeSolids solids = makeSolids(part); !solids.refusals.empty()) {
-        for (ObstacleGroup& group : obstacles.groups) {
-            if (group.overlap > 0) shrinking.shrinkInPlaceOfPart(group, solids.refusals[0]);
-        }
+        shrinking.shrinkInPlaceOfPart(obstacles, solids.refusals[0]);
         return {};
     }
     std::vector<ShrunkPart> all;
-    for (const double overlap : overlaps) all.push_back(shrinking.shrink(part, overlap, "the part", ""));
+    for (const double overlap : overlaps) all.push_back(shrinking.shrinkPart(part, overlap));
     return all;
 }
 
@@ -123,8 +193,9 @@ LoadedScene buildScene(const Problem& problem, const SceneMeshes& meshes, const 
     std::shared_ptr<const Solids> partSolids;
     if (obstacles.hasSolids()) {
         const MadeSolids made = makeSolids(partMesh);
-        for (const std::string& refusal : made.refusals) {
-            notes.push_back("part: " + refusal + "; obstacles inside it go unnoticed");
+        if (problem.rules.isAllSolid || !problem.rules.solid.empty()) {
+            for (const std::string& refusal : made.refusals)
+                notes.push_back("part: " + refusal + "; obstacles inside it go unnoticed");
         }
         partSolids = made.solids;
     }

@@ -67,7 +67,7 @@ std::vector<StartRemedy> startRemedies(const Problem& problem, const std::vector
         const bool isThere = rules.overlap.common > 0 || !rules.overlap.byName.empty();
         remedies.push_back(
             {"overlap", "X",
-             std::string(isThere ? "more than is there: " : "") + "may reach so deep into the part"});
+             std::string(isThere ? "more than is there: " : "") + "one may reach so deep into the other"});
     }
     return remedies;
 }

@@ -60,18 +60,21 @@ std::string pairWords(const WhyInvalid& why) {
 }
 
 std::string tooDeepWords(const WhyInvalid& why, const std::string& overlap) {
+    const std::string part = "the part's mesh '" + why.partMesh + "'",
+                      obstacle = "the environment's mesh '" + why.environmentMesh + "'";
+    if (!why.nearest.witness)
+        return fmt::format("in collision: {} is inside {}, and may be deeper than the overlap {}",
+                           why.isPartInside ? part : obstacle, why.isPartInside ? obstacle : part, overlap);
     if (why.isPartInside)
         return fmt::format(
-            "in collision: the part's mesh '{}' may reach deeper into the environment's mesh '{}' than the "
-            "overlap {}, at triangle {}, nearest to triangle {} of the environment",
-            why.partMesh, why.environmentMesh, overlap, why.nearest.witness->partTriangle,
+            "in collision: {} may reach deeper into {} than the overlap {}, at triangle {}, nearest to "
+            "triangle {} of the environment",
+            part, obstacle, overlap, why.nearest.witness->partTriangle,
             why.nearest.witness->environmentTriangle);
     return fmt::format(
-        "in collision: the environment's mesh '{}' may reach deeper into the part's mesh '{}' than the "
-        "overlap "
-        "{}, at triangle {}, nearest to triangle {} of the part",
-        why.environmentMesh, why.partMesh, overlap, why.nearest.witness->environmentTriangle,
-        why.nearest.witness->partTriangle);
+        "in collision: {} may reach deeper into {} than the overlap {}, at triangle {}, nearest to triangle "
+        "{} of the part",
+        obstacle, part, overlap, why.nearest.witness->environmentTriangle, why.nearest.witness->partTriangle);
 }
 
 std::string boundWords(const WhyInvalid::Coordinate& at) {
@@ -95,7 +98,7 @@ std::string nameOf(WhyInvalid::Kind kind) {
 }
 
 std::string WhyInvalid::words() const {
-    const bool hasPair = kind == Kind::kCollides || kind == Kind::kTooDeep || kind == Kind::kTooClose;
+    const bool hasPair = kind == Kind::kCollides || kind == Kind::kTooClose;
     if (hasPair && !nearest.witness) return nameOf(kind);  // a value that no query made
     const auto inUnit = [&](double length) { return withUnit(roundedNumber(length), unit); };
     switch (kind) {
@@ -168,6 +171,12 @@ void SceneClearance::findEnclosure(const Pose& X_environmentPart, const PoseClea
         why.partMesh = *found->partMesh;
         why.environmentMesh = *found->obstacleMesh;
         why.isPartInside = found->isPartInside;
+        // Such a mesh touches nothing of the other, shrunk one, and has all its points inside.
+        const Obstacle& obstacle = scene_.obstacles[i];
+        if (why.isPartInside ? obstacle.shrunkBy > 0 : obstacle.shrunk != nullptr) {
+            why.kind = WhyInvalid::Kind::kTooDeep;
+            why.limit = obstacle.overlap();
+        }
         return;
     }
 }

@@ -21,7 +21,7 @@ double distanceToSegment(const Vector3& point, const Vector3& a, const Vector3& 
     const Vector3 along = b - a;
     const double lengthSquared = along.squaredNorm();
     const double s = lengthSquared > 0 ? std::clamp(along.dot(point - a) / lengthSquared, 0.0, 1.0) : 0.0;
-    return (point - (a + s * along)).norm();
+    return (point - (a + s * along)).stableNorm();
 }
 
 }  // namespace
@@ -30,7 +30,8 @@ double distanceToTriangle(const Vector3& point, const Corners3& triangle) {
     const auto& [a, b, c] = triangle;
     const Vector3 normal = (b - a).cross(c - a);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    bool isAbove = normal.norm() > kSliver * longest;  // the distance to the edges is never less
+    // The distance to the edges is never less; it stands also where squares of lengths are too large for numbers.
+    bool isAbove = normal.norm() > kSliver * longest && std::isfinite(normal.norm());
     for (std::size_t k = 0; k < 3 && isAbove; ++k) {
         const Vector3 &from = triangle[k], &to = triangle[(k + 1) % 3];
         isAbove = normal.dot((to - from).cross(point - from)) >= 0;

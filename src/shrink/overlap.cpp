@@ -1,6 +1,7 @@
 #include "clearway/overlap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "mesh/components.h"
@@ -104,7 +105,7 @@ class DeepestSearch {
                       normal = (part_.vertices[b] - tip).cross(part_.vertices[c] - tip);
         const double length = normal.norm();
         Vector3 to = middle;
-        if (length > 0) {
+        if (length > 0 && std::isfinite(length)) {
             to += step / length * normal;
             if (isInside(to)) to = middle - step / length * normal;
         }

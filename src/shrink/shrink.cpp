@@ -51,12 +51,12 @@ class Shrinking {
         const double most = 0.5 * nearest_.model().box().diagonal().norm();
         if (options.overlap > most) {
             throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected at most " +
-                                shortNumber(most) + ", half of the part's size");
+                                roundedNumber(most) + ", half of the mesh's size");
         }
         depths_ = {kFaceDepth * options.overlap, options.overlap - rounding};
         if (!(depths_.most > depths_.face)) {
             throw ArgumentError("overlap is " + shortNumber(options.overlap) + ", expected more than " +
-                                shortNumber(rounding / (1 - kFaceDepth)) +
+                                shortNumber(awayFromZero(rounding / (1 - kFaceDepth), 2)) +
                                 ", which coordinates are rounded by");
         }
     }
@@ -118,20 +118,23 @@ class Shrinking {
         requireGoingOn();
         const std::vector<bool> deep = certifyMoves(surface, nearest_, whole_, depths_.most, moved_);
         std::vector<double> reach(surface.vertices.size(), 0);
+        isShortened_.assign(moved_.places.size(), false);
         for (std::size_t i = 0; i < moved_.places.size(); ++i) {
-            if (!thin[i] && !deep[i]) continue;
+            isShortened_[i] = thin[i] || deep[i];
+            if (!isShortened_[i]) continue;
             double& around = reach[moved_.places[i].vertex];
             around = std::max({around, kCornerReach * depths_.face, kMitreReach * lengths[i]});
         }
         return reach;
     }
 
-    /// A place counts once, however many vertices of the shrunk part are there.
+    /// A place counts once, however many vertices of the shrunk part are there. Where no move was shortened, none is thin.
     void findThinPlaces(ShrunkPart& shrunk) {
         ThinPlaces& thin = shrunk.thin;
         thin.leastOverlap = options_.overlap;
         std::vector<bool> isThin(surface_.vertices.size(), false);
         for (std::size_t i = 0; i < moved_.places.size(); ++i) {
+            if (!isShortened_[i]) continue;
             const double depth = depthOf(shrunk.mesh.vertices[i], nearest_, whole_);
             if (depth >= kThin * options_.overlap) continue;
             isThin[moved_.places[i].vertex] = true;
@@ -148,6 +151,7 @@ class Shrinking {
     MitreDepths depths_{};
     OrientedSurface surface_;
     MovedSurface moved_;
+    std::vector<bool> isShortened_;  ///< for each place
 };
 
 }  // namespace

@@ -36,6 +36,9 @@ int run(int count, char** words);
 namespace clearway::testing::motions {
 int run(int count, char** words);
 }
+namespace clearway::testing::overlaps {
+int run(int count, char** words);
+}
 namespace clearway::testing::plan_success {
 int run(int count, char** words);
 }

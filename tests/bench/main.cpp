@@ -27,6 +27,7 @@ constexpr Benchmark kBenchmarks[] = {
     {"ladder", ladder::run},
     {"loading", loading::run},
     {"motions", motions::run},
+    {"overlaps", overlaps::run},
     {"plan_success", plan_success::run},
     {"public", public_problems::run},
     {"queries", queries::run},

@@ -181,7 +181,7 @@ void describeLift(const std::string& file) {
     const std::vector<FoundOverlap> overlaps = overlapsAtStart(problem, scenes.meshes());
     facts()["overlaps"] = toJson(overlaps);
     for (const FoundOverlap& found : overlaps) printRow(found.obstacle, describe(found));
-    if (overlaps.empty()) printRow("start", "no obstacle reaches into the part");
+    if (overlaps.empty()) printRow("start", "neither part nor obstacles reach into the other");
     if (const std::optional<Lift> lift = findLift(problem, scenes, overlaps, true)) {
         tell(*lift);
     } else if (!overlaps.empty()) {

@@ -5,10 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "clearway/errors.h"
 #include "clearway/scene_clearance.h"
 #include "clearway/shrink.h"
 #include "core/clock.h"
 #include "core/number.h"
+#include "model/triangles_of.h"
 #include "program/cli/overlaps.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
@@ -16,12 +18,12 @@
 namespace clearway::cli {
 namespace {
 
-constexpr double kFaceDepth = 0.74;     ///< of an overlap: a flat contact so deep is just free
-constexpr double kLeastLift = 1e-8;     ///< of the part's diagonal
-constexpr double kLiftStep = 2;         ///< from one overlap to the next that may free the start
-constexpr double kLiftError = 0.05;     ///< of the least overlap that frees a start
-constexpr double kToTryFirst = 7;       ///< times the least, with which there is hardly any room to move
-constexpr double kLeastToTry = 0.003;   ///< of the part's diagonal: with less a planner hardly finds a slide
+constexpr double kFaceDepth = 0.74;  ///< of an overlap: a flat contact so deep is just free
+constexpr double kLeastLift = 1e-8;  ///< of the part's diagonal
+constexpr double kLiftStep = 2;      ///< from one overlap to the next that may free the start
+constexpr double kLiftError = 0.05;  ///< of the least overlap that frees a start
+/// The room that planners need, of the diagonal of the part or, if it is smaller, of an obstacle that it touches.
+constexpr double kRoomToMove = 0.005;
 constexpr double kMostLift = 0.02;      ///< of the part's diagonal, where nobody asked
 constexpr double kMostAskedLift = 0.2;  ///< and where somebody did
 constexpr double kMostLiftSeconds = 5;  ///< for overlaps to be tried, where nobody asked
@@ -37,11 +39,24 @@ class LiftSearch {
     WhyInvalid whyStartIsInvalid(double overlap) {
         problem_.rules.overlap.common = overlap;
         const SceneClearance clearance(scenes_.wholeScene(problem_));
-        size_ = clearance.scene().part.box().diagonal().norm();
-        return clearance.whyInvalid(poseOf(problem_.start));
+        const Scene& scene = clearance.scene();
+        size_ = scene.part.box().diagonal().norm();
+        WhyInvalid why = clearance.whyInvalid(poseOf(problem_.start));
+        if (why.nearest.witness && !touchedSize_) {
+            const auto component = static_cast<std::size_t>(why.nearest.witness->environmentComponent);
+            touchedSize_ = sizeOf(scene.obstacles[*why.obstacle].model, component);
+        }
+        return why;
     }
 
-    bool isFree(double overlap) { return whyStartIsInvalid(overlap).isValid(); }
+    /// An overlap that nothing can be shrunk by frees nothing.
+    bool isFree(double overlap) {
+        try {
+            return whyStartIsInvalid(overlap).isValid();
+        } catch (const ArgumentError&) {
+            return false;
+        }
+    }
     double size() const { return size_; }  ///< of the part, once it was asked about
 
     /// More overlap does not always free more: thin places get shallower. So the least one is sought from below.
@@ -59,17 +74,29 @@ class LiftSearch {
             const double middle = 0.5 * (tooLittle + enough);
             (isFree(middle) ? enough : tooLittle) = middle;
         }
-        Lift lift{awayFromZero(enough, 3),
-                  awayFromZero(std::max(kToTryFirst * enough, kLeastToTry * size_), 3)};
-        while (lift.tryFirst > lift.least && (isSpent() || !isFree(lift.tryFirst)))
-            lift.tryFirst = std::max(lift.least, awayFromZero(0.5 * lift.tryFirst, 3));
+        Lift lift{awayFromZero(enough, 3), 0};
+        double room = kRoomToMove * std::min(size_, touchedSize_.value_or(size_));
+        do {
+            lift.tryFirst = awayFromZero(lift.least + room, 3);
+            room *= isSpent() ? 0 : 0.5;
+        } while (lift.tryFirst > lift.least && !isFree(lift.tryFirst));
         return lift;
     }
 
   private:
+    static double sizeOf(const Model& model, std::size_t component) {
+        Box box;
+        eachTriangleOf(model, [&](std::size_t i, const TriangleCorners& corners) {
+            if (i != component) return;
+            for (const Vector3& corner : corners) box.extend(corner);
+        });
+        return box.diagonal().norm();
+    }
+
     Problem problem_;
     ProblemScenes& scenes_;
     double size_ = 0;
+    std::optional<double> touchedSize_;  ///< diagonal of the first obstacle that the part touched
 };
 
 }  // namespace
@@ -77,7 +104,8 @@ class LiftSearch {
 std::optional<Lift> findLift(const Problem& problem, ProblemScenes& scenes,
                              const std::vector<FoundOverlap>& overlaps, bool isAsked) {
     LiftSearch search(problem, scenes);
-    if (search.whyStartIsInvalid(0).kind != WhyInvalid::Kind::kCollides) return std::nullopt;
+    const WhyInvalid::Kind kind = search.whyStartIsInvalid(0).kind;
+    if (kind != WhyInvalid::Kind::kCollides && kind != WhyInvalid::Kind::kInSolid) return std::nullopt;
     double depth = 0;
     for (const FoundOverlap& found : overlaps) depth = std::max(depth, found.deepest.lower);
     const Clock::time_point begin = Clock::now();

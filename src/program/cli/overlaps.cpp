@@ -29,31 +29,7 @@ struct PosedAt {
     Pose X_environmentPart;
 };
 
-/// What may reach into the other: a component of an obstacle into the part or, if the part is open, the part into a group
-/// of obstacles.
-struct Piece {
-    Mesh mesh;           ///< of the component, or of the group
-    double allowed = 0;  ///< FoundOverlap::allowed
-};
-
-void addComponents(const Mesh& mesh, double allowed, std::vector<Piece>& to) {
-    const std::size_t count = componentsOf(mesh).size();
-    for (std::size_t i = 0; i < count; ++i) {
-        Mesh component = meshOfComponents(mesh, {i});
-        if (!component.triangles.empty()) to.push_back({std::move(component), allowed});
-    }
-}
-
-/// The first component that is around the point.
-std::string nameAround(const Mesh& mesh, const Vector3& point) {
-    const std::vector<Component> components = componentsOf(mesh);
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        if (Solid::oriented(meshOfComponents(mesh, {i})).winding({}, {}, point) != 0)
-            return components[i].name;
-    }
-    return components[0].name;
-}
-
+/// Measures each component of an obstacle, which may reach into the part or, if the part is open, the part into it.
 class Measuring {
   public:
     explicit Measuring(const Mesh& part)
@@ -61,41 +37,30 @@ class Measuring {
         if (!isPartOpen_) inPartMeter_.emplace(part);
     }
 
-    std::vector<Piece> piecesOf(const ObstacleGroup& group) const {
-        std::vector<Piece> pieces;
-        if (isPartOpen_) {
-            pieces.push_back({group.mesh, group.overlap});
-        } else {
-            addComponents(group.mesh, group.overlap, pieces);
-        }
-        return pieces;
-    }
-
-    /// Depths below leastDepth (environment units) may be missed.
-    std::optional<FoundOverlap> deepest(const Piece& piece, const std::vector<PosedAt>& poses,
-                                        double leastDepth) {
-        const Model tree = Model::build(piece.mesh);
-        const Solids inPiece(piece.mesh);
-        std::optional<OverlapMeter> inPieceMeter;
+    /// Depths below leastDepth (environment units) may be missed. allowed: FoundOverlap::allowed.
+    std::optional<FoundOverlap> deepest(const Mesh& component, double allowed,
+                                        const std::vector<PosedAt>& poses, double leastDepth) {
+        const Model tree = Model::build(component);
+        const Solids inComponent(component);
+        std::optional<OverlapMeter> inComponentMeter;
         FoundOverlap found;
         for (const PosedAt& at : poses) {
             const Pose& pose = at.X_environmentPart;
-            const bool holds = isPartOpen_ ? inPiece.holding({}, inPart_, pose).has_value()
-                                           : inPart_.holding(pose, inPiece, {}).has_value();
+            const bool holds = isPartOpen_ ? inComponent.holding({}, inPart_, pose).has_value()
+                                           : inPart_.holding(pose, inComponent, {}).has_value();
             if (!holds && !collides(model_, tree, pose, workspace_)) continue;
-            if (isPartOpen_ && !inPieceMeter) inPieceMeter.emplace(meterOf(piece.mesh));
-            DeepestPoint deepest = isPartOpen_ ? inPieceMeter->deepest(part_, inverse(pose), leastDepth)
-                                               : inPartMeter_->deepest(piece.mesh, pose, leastDepth);
+            if (isPartOpen_ && !inComponentMeter) inComponentMeter.emplace(meterOf(component));
+            DeepestPoint deepest = isPartOpen_ ? inComponentMeter->deepest(part_, inverse(pose), leastDepth)
+                                               : inPartMeter_->deepest(component, pose, leastDepth);
             if (deepest.lower <= found.deepest.lower) continue;
             if (isPartOpen_) deepest.point = pose * deepest.point;
             found.deepest = deepest;
             found.share = at.share;
         }
         if (found.deepest.obstacleTriangle < 0) return std::nullopt;
-        found.allowed = piece.allowed;
+        found.allowed = allowed;
         found.isPartInside = isPartOpen_;
-        found.obstacle =
-            isPartOpen_ ? nameAround(piece.mesh, found.deepest.point) : componentsOf(piece.mesh)[0].name;
+        found.obstacle = componentsOf(component)[0].name;
         return found;
     }
 
@@ -105,8 +70,12 @@ class Measuring {
         std::vector<FoundOverlap> all;
         for (const ObstacleGroup& group : obstacles.groups) {
             if (ofAllowed && group.overlap == 0) continue;
-            for (const Piece& piece : piecesOf(group)) {
-                if (const auto found = deepest(piece, poses, leastDepth)) all.push_back(*found);
+            const std::size_t count = componentsOf(group.mesh).size();
+            for (std::size_t i = 0; i < count; ++i) {
+                const Mesh component = meshOfComponents(group.mesh, {i});
+                if (component.triangles.empty()) continue;
+                if (const auto found = deepest(component, group.overlap, poses, leastDepth))
+                    all.push_back(*found);
             }
         }
         std::sort(all.begin(), all.end(), [](const FoundOverlap& a, const FoundOverlap& b) {

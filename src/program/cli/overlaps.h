@@ -19,14 +19,13 @@ struct FoundOverlap {
     bool isPartInside = false;  ///< the part is open: it reaches into the obstacle, not the obstacle into it
 };
 
-/// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, the deepest
-/// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none. If the part is open,
-/// where it reaches deepest into each group of obstacles that count alike.
+/// For each obstacle for which the problem allows an overlap, where it reaches deepest into the part, or an open part into it; the deepest
+/// first; at poses along the path, to a tenth of the allowed overlap. Empty when the problem allows none.
 std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshes& meshes, const Scene& scene,
                                         const std::vector<PartState>& path);
 
-/// For each obstacle that reaches into the part at the problem's start, where it reaches deepest; likewise. Throws ArgumentError if both
-/// the part and an obstacle that it may reach into are open.
+/// For each obstacle that reaches into the part at the problem's start, or an open part into it, where it reaches deepest; the deepest
+/// first. Throws ArgumentError if the part is open and touches an obstacle that is open, too.
 std::vector<FoundOverlap> overlapsAtStart(const Problem& problem, const SceneMeshes& meshes);
 
 /// Cross-checks a path that was certified as valid: throws std::logic_error if a measured overlap is deeper than

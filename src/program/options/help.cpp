@@ -46,7 +46,7 @@ constexpr Topic kTopics[] = {
   unit = mm                    of all lengths, shown beside them: um, mm, cm, m, km, in or ft
   robot.scale, world.scale     factors for the meshes' coordinates (1)
   margin, margin.NAME          distance to keep from all obstacles, from one (0)
-  overlap, overlap.NAME        how deep obstacles may reach into the part (0)
+  overlap, overlap.NAME        how deep obstacles may reach into the part, an open part into them (0)
   ignore, solid = NAME, ...    obstacles to leave out; obstacles whose inside is not free
   contact.start = NAME, D      ignored near the start; contact.goal: near the goal
   fineness                     how fine the scene is: planners' edges are 20 times as long

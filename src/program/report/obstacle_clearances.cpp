@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "core/parallel.h"
 #include "mesh/components.h"
+#include "model/solids.h"
 #include "model/triangles_of.h"
 #include "problem/outside.h"
 
@@ -25,11 +27,11 @@ Box boxOfComponent(const Mesh& mesh, const Component& component) {
 }
 
 /// The component of the model, as far as the model holds it.
-Mesh meshOf(const Model& model, const std::string& component) {
+Mesh meshOf(const Model& model, std::size_t component) {
     Mesh mesh;
-    mesh.components = {{component, 0, 0}};
+    mesh.components = {{model.components()[component].name, 0, 0}};
     eachTriangleOf(model, [&](std::size_t i, const TriangleCorners& corners) {
-        if (model.components()[i].name != component) return;
+        if (i != component) return;
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
         mesh.triangles.push_back({first, first + 1, first + 2});
@@ -68,7 +70,9 @@ class Measuring {
     }
 
     void measure(std::size_t index, const Component& component, ObstacleClearance& answer) const {
-        const SceneClearance clearance(sceneOf(index, *obstacleOf(component)));
+        const std::optional<Scene> scene = sceneOf(index, *obstacleOf(component));
+        if (!scene) return;
+        const SceneClearance clearance(*scene);
         answer = {};
         answer.margin = clearance.scene().obstacles[0].margin;
         answer.isMeasured = answer.isInScene = true;
@@ -86,8 +90,16 @@ class Measuring {
     }
 
   private:
-    /// The scene with one component of an obstacle, which counts as the obstacle does.
-    Scene sceneOf(std::size_t index, const Obstacle& obstacle) const {
+    std::size_t ownIndexOf(const Model& model, std::size_t index) const {
+        const std::string& name = componentsOf(environment_)[index].name;
+        const auto& own = model.components();
+        return static_cast<std::size_t>(
+            std::find_if(own.begin(), own.end(), [&](const Component& each) { return each.name == name; }) -
+            own.begin());
+    }
+
+    /// The scene with one component of an obstacle, which counts as the obstacle does; none if the model does not hold it.
+    std::optional<Scene> sceneOf(std::size_t index, const Obstacle& obstacle) const {
         Scene single(scene_.part);
         single.partSolids = scene_.partSolids;
         single.startContact = scene_.startContact;
@@ -95,12 +107,17 @@ class Measuring {
         single.obstacles = {obstacle};
         if (obstacle.model.components().size() == 1) return single;
         const bool isShrunk = obstacle.shrunkBy > 0;
-        const Mesh mesh = isShrunk ? meshOf(obstacle.model, componentsOf(environment_)[index].name)
-                                   : meshOfComponents(environment_, {index});
+        const std::size_t own = isShrunk ? ownIndexOf(obstacle.model, index) : 0;
+        const Mesh mesh = isShrunk ? meshOf(obstacle.model, own) : meshOfComponents(environment_, {index});
+        if (mesh.triangles.empty()) return std::nullopt;
         Obstacle& made = single.obstacles[0];
         made.model = Model::build(mesh, obstacle.model.report().options);
         made.fileTriangles.clear();
-        if (obstacle.solids && !isShrunk) made.solids = makeSolids(mesh).solids;
+        if (isShrunk) {
+            made.solids = std::make_shared<const Solids>(obstacle.solids->ofComponent(own));
+        } else if (obstacle.solids) {
+            made.solids = makeSolids(mesh).solids;
+        }
         return single;
     }
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Callable
 
 import from_files
+import overlaps
 import scene_rows
 
 FORMS = ("ci", "quick", "full")
@@ -224,6 +225,12 @@ PARTS = (
     Part("from_files", "whole processes, from files to a path and to the first answer, beside others'", rows=from_files.ROWS,
          quick_rows=("tunnel-console-small",), ci_rows=("tunnel-console-small",), commands=lambda place, row: [], table=from_files.table,
          group=("scene",), keys=("scene", "what"), shown=("seconds", "found", "free")),
+    Part("shrinking", "parts shrunk for an overlap", rows=tuple(overlaps.SHRUNK), quick_rows=("tunnel-console-small 1e-3",),
+         ci_rows=("bracket 1e-3",), commands=overlaps.shrinking, group=("part", "overlap_over_diagonal"),
+         keys=("part", "overlap_over_diagonal"), shown=("seconds", "triangles_shrunk", "share_shallow")),
+    Part("touching", "parts that touch, from the advised overlap to a path", rows=overlaps.TOUCHING + overlaps.PUZZLES, quick_rows=("plug", "lid"),
+         ci_rows=("plug",), commands=lambda place, row: [], table=overlaps.touching, group=("problem",), keys=("problem",),
+         shown=("found", "seconds", "lift_seconds")),
     Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),
