@@ -90,6 +90,14 @@ inline std::vector<Pose> posesOf(const py::handle& object) {
     return poses;
 }
 
+inline Vector3 vectorOf(const py::handle& object) {
+    const auto vector = numbersOf(object, "vector", 1);
+    if (vector.shape(0) != 3) {
+        throw ArgumentError("vector has shape " + shapeOf(vector) + ", expected (3,)");
+    }
+    return {vector.at(0), vector.at(1), vector.at(2)};
+}
+
 /// The witness of a distance. Beyond the cap triangles are -1 and points NaN, as in arrays.
 inline Witness witnessOf(const DistanceResult& result) {
     const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -160,6 +168,8 @@ struct ArrayCaster {
     bool load(handle given, bool) {
         if constexpr (std::is_same_v<Value, clearway::Pose>) {
             value = clearway::python::poseOf(given);
+        } else if constexpr (std::is_same_v<Value, clearway::Vector3>) {
+            value = clearway::python::vectorOf(given);
         } else {
             value = clearway::python::posesOf(given);
         }

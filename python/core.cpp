@@ -130,6 +130,24 @@ wide as the larger of absolute_error, relative_error * lower and rounding; dista
         py::arg("workspace") = py::none(), WithoutGil(),
         R"(Whether the distance is <= d, exactly. pose: (4, 4). d: environment units, >= 0.)");
     module.def(
+        "near_pairs",
+        [](const Model& part, const Model& environment, const Pose& pose, double band,
+           OwnedWorkspace* workspace) { return nearPairs(part, environment, pose, band, chosen(workspace)); },
+        py::arg("part"), py::arg("environment"), py::arg("pose"), py::arg("band"),
+        py::arg("workspace") = py::none(), WithoutGil(),
+        R"(The pairs of triangles whose distance is at most the band, the nearest first, as DistanceResults. Of more than 3,000 only the
+nearest of each pair of leaves are kept, of more than 30,000 those of each leaf of the part. pose: (4, 4).)");
+    module.def(
+        "distance_gradient",
+        [](const DistanceResult& pair, const Vector3& centre) -> py::object {
+            const auto gradient = distanceGradient(pair, centre);
+            if (!gradient) return py::none();
+            return py::make_tuple(gradient->translation, gradient->rotation);
+        },
+        py::arg("pair"), py::arg("centre"),
+        R"(How the distance of a pair changes as the part moves: (translation, rotation), two (3,), by which a small displacement and a
+small rotation vector about the centre (3,) are multiplied; environment frame. None on contact and beyond the cap.)");
+    module.def(
         "distance_batch",
         [](const Model& part, const Model& environment, const std::vector<Pose>& poses, double relativeError,
            double absoluteError, double cap) {

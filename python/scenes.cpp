@@ -189,6 +189,15 @@ preset: as for Model. threads: 0 for all cores.)")
             [](const PyScene& scene, const Pose& pose) { return scene.clearance.whyInvalid(pose); },
             py::arg("pose"), WithoutGil(), R"(Why the pose is not free, as a WhyInvalid.)")
         .def(
+            "escape_distance",
+            [](const PyScene& scene, const Pose& pose, const Vector3& direction) {
+                const EscapeDistance found = scene.clearance.escapeDistance(pose, direction);
+                return std::pair(found.lower, found.upper);
+            },
+            py::arg("pose"), py::arg("direction"), WithoutGil(),
+            R"(How far the part must be moved in a direction (3,) to be free, however far it is moved on: (lower, upper). Moved by `upper`
+or more it is free; `lower` is 0 or a length at which it is not.)")
+        .def(
             "check_motion", &checkMotion, py::arg("start"), py::arg("end"),
             R"(Checks the straight motion with the shorter turn between two poses (4, 4), however thin an obstacle is. Returns
 (verdict, certified_until, contact_time): "certified", "contact" or "undecided" (too close to a margin to tell), the time up

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "clearway/types.h"
 
@@ -146,6 +147,29 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 /// of the environment's range.
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
+
+/// The pairs of triangles whose distance is at most the band, or exceeds it by less than the default width of an interval; the nearest
+/// first. Of more than kAllNearPairs pairs only the nearest of each pair of leaves is kept, of more than kLeafNearPairs the nearest of
+/// each leaf of the part, as bounds in float tell: the nearest pair of all is always among those kept. band: environment
+/// units, >= 0. counters is that of the whole query in the first result, and 0 in the others. Throws ArgumentError under the same
+/// conditions as isWithin(band).
+std::vector<DistanceResult> nearPairs(const Model& part, const Model& environment,
+                                      const Pose& X_environmentPart, double band, Workspace& workspace);
+
+constexpr std::size_t kAllNearPairs = 3000;    ///< see nearPairs
+constexpr std::size_t kLeafNearPairs = 30000;  ///< see nearPairs
+
+/// How a distance changes as the part moves: by translation . v + rotation . w for small displacements, first the
+/// translation v of the whole part, and the rotation vector w about a centre. Environment's frame.
+struct DistanceGradient {
+    Vector3 translation;  ///< unit; per environment unit
+    Vector3 rotation;     ///< environment units per radian
+};
+
+/// The gradient of the distance of one pair of nearPairs(), or of a distance, by its two points. Where several pairs are
+/// equally near, the distance changes as that of the pair that comes closest does: the derivative is one-sided, and each of
+/// the pairs has its own gradient. centre: of rotations; environment's frame. None on contact and without a witness.
+std::optional<DistanceGradient> distanceGradient(const DistanceResult& pair, const Vector3& centre);
 
 /// distance() with a workspace of the calling thread, which lives as long as the thread.
 DistanceResult distance(const Model& part, const Model& environment, const Pose& X_environmentPart,

@@ -114,8 +114,8 @@ struct WhyInvalid {
     /// The part's mesh of that pair, or the one in or around the solid: see distinctMeshNames.
     std::string partMesh;
     std::string environmentMesh;  ///< the obstacle's mesh of that pair, or the solid
-    bool isPartInside =
-        false;  ///< kInSolid, kTooDeep: the part is in the obstacle, not the obstacle in the part
+    /// kInSolid and kTooDeep: the part is in the obstacle; otherwise the obstacle is in the part.
+    bool isPartInside = false;
     /// The margin that the distance must exceed; for kTooDeep the allowed depth. Environment units.
     double limit = 0;
     std::optional<Coordinate> coordinate;  ///< of kOutOfBounds in SE(3) and SE(2)
@@ -195,6 +195,13 @@ struct MotionAnswer {
     std::optional<double> contactTime;  ///< of a pose that is not free; none if none is known
 };
 
+/// How far a part must be moved along a line until it is free, and stays free however far it is moved on. Environment units.
+struct EscapeDistance {
+    double lower =
+        0;  ///< moved by no more than this it is not free, or not all the way on; 0: nothing in the way is known
+    double upper = 0;  ///< moved by this or more it is free
+};
+
 /// How accurately SceneClearance::leastClearance must know a clearance. Lengths in environment units.
 struct LeastClearanceOptions {
     double poseError = 0;              ///< how far the poses in question may be off the motion
@@ -263,6 +270,17 @@ class SceneClearance {
     /// rounding; environment units, >= 0. Throws ArgumentError when poseError is negative or NaN, and what queries
     /// throw.
     MotionAnswer check(const RigidMotion& motion, double poseError = 0) const;
+
+    /// The escape distance in a direction, of any length above 0, in the environment's frame: the part is moved inwards from outside the
+    /// obstacles' boxes, and certified on its way as by check(), so that the bounds are about 1e-5 of the part's diagonal apart, more where
+    /// check() is undecided. Works for poses that are free, in collision or inside solids. Throws ArgumentError when the direction is
+    /// 0 or not finite, and what queries throw; an obstacle with a range must hold all poses of the motion.
+    EscapeDistance escapeDistance(const Pose& X_environmentPart, const Vector3& direction) const;
+
+    /// The pairs of triangles whose distance less the margin is at most the band, or exceeds it by rounding, of all obstacles, whether
+    /// or not contact zones ignore them; the least distance less the margin first. Each obstacle's are thinned as nearPairs() says. band:
+    /// environment units, >= 0. Throws what queries throw.
+    std::vector<SceneDistance> nearPairs(const Pose& X_environmentPart, double band) const;
 
     /// Sweeps the part along a motion past all obstacles; ignores solids. Throws what queries and the motion's
     /// callbacks throw.

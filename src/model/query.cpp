@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "clearway/errors.h"
 #include "clearway/model.h"
@@ -12,6 +13,7 @@
 #include "model/arguments.h"
 #include "model/model_data.h"
 #include "model/query_range.h"
+#include "query/decide.h"
 #include "query/queries.h"
 
 namespace clearway {
@@ -66,6 +68,30 @@ bool answerWithin(const Model& part, const Model& environment, const Pose& X_env
     return answer.within;
 }
 
+/// The pair in environment units, without counters.
+DistanceResult resultOf(const Model& part, const Model& environment, const PairQuery& query,
+                        const ResolvedPair& pair, const TrianglesAt& triangles) {
+    const double toMeshUnits = std::ldexp(1.0, query.unitExponent);
+    DistanceResult result;
+    result.lower = scaledDown(pair.lower, toMeshUnits, query.perMeshUnit);
+    result.upper = scaledUp(pair.upper, toMeshUnits, query.perMeshUnit);
+    Witness& witness = result.witness.emplace();
+    for (int k = 0; k < 3; ++k) {
+        witness.pointOnPart[k] = pair.pointOnPart[k] * toMeshUnits;
+        witness.pointOnEnvironment[k] = pair.pointOnEnvironment[k] * toMeshUnits;
+    }
+    result.distance =
+        pair.contact == Verdict::yes ? 0.0 : lengthOf(witness.pointOnPart - witness.pointOnEnvironment);
+    const std::uint32_t onPart = treeOf(part).triangleId(triangles.part),
+                        onEnvironment = treeOf(environment).triangleId(triangles.environment);
+    witness.partTriangle = onPart;
+    witness.environmentTriangle = onEnvironment;
+    witness.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
+    witness.environmentComponent =
+        static_cast<std::int64_t>(componentOf(environment.components(), onEnvironment));
+    return result;
+}
+
 Workspace& workspaceOfThread() {
     thread_local Workspace workspace;
     return workspace;
@@ -94,9 +120,9 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
                                  scaledUp(cap, query.perMeshUnit, toMeshUnits)};
     const ClosestAnswer answer = closestPair(query, request, state);
 
-    DistanceResult result;
-    result.counters = state.counters;
     if (!answer.found) {
+        DistanceResult result;
+        result.counters = state.counters;
         // Triangles that were left out may be nearer than the tree's own bound, but not nearer than the
         // range's cap.
         result.lower = cappedByRange(
@@ -105,23 +131,45 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
         return result;
     }
     state.witnesses.keep(query, answer.triangles, answer.pair.pointOnPart, answer.pair.pointOnEnvironment);
-    result.lower = scaledDown(answer.pair.lower, toMeshUnits, query.perMeshUnit);
-    result.upper = scaledUp(answer.pair.upper, toMeshUnits, query.perMeshUnit);
-    Witness& witness = result.witness.emplace();
-    for (int k = 0; k < 3; ++k) {
-        witness.pointOnPart[k] = answer.pair.pointOnPart[k] * toMeshUnits;
-        witness.pointOnEnvironment[k] = answer.pair.pointOnEnvironment[k] * toMeshUnits;
-    }
-    const bool isContact = answer.pair.contact == Verdict::yes;
-    result.distance = isContact ? 0.0 : lengthOf(witness.pointOnPart - witness.pointOnEnvironment);
-    const std::uint32_t onPart = treeOf(part).triangleId(answer.triangles.part),
-                        onEnvironment = treeOf(environment).triangleId(answer.triangles.environment);
-    witness.partTriangle = onPart;
-    witness.environmentTriangle = onEnvironment;
-    witness.partComponent = static_cast<std::int64_t>(componentOf(part.components(), onPart));
-    witness.environmentComponent =
-        static_cast<std::int64_t>(componentOf(environment.components(), onEnvironment));
+    DistanceResult result = resultOf(part, environment, query, answer.pair, answer.triangles);
+    result.counters = state.counters;
     return result;
+}
+
+std::vector<DistanceResult> nearPairs(const Model& part, const Model& environment,
+                                      const Pose& X_environmentPart, double band, Workspace& workspace) {
+    requireBound("band", band);
+    requireWithinCap(environment, band);
+    Workspace::State& state = stateOf(workspace);
+    const WorkspaceUse use(state);
+    const PairQuery query = beginQuery(part, environment, X_environmentPart, state);
+    const bool isThinned = pairsWithin(query, band, state);
+    if (isThinned || state.candidates.size() > kAllNearPairs)
+        keepNearest(state.candidates, !isThinned && state.candidates.size() <= kLeafNearPairs);
+    std::vector<DistanceResult> all;
+    const WantedWidth wanted{query.defaultWidth, 0, std::numeric_limits<double>::infinity()};
+    for (const Candidate& candidate : state.candidates) {
+        const ResolvedPair pair = settlePair(query, candidate.triangles, wanted, state.counters);
+        if (pair.lower <= band * query.perMeshUnit)
+            all.push_back(resultOf(part, environment, query, pair, candidate.triangles));
+    }
+    std::sort(all.begin(), all.end(), [](const DistanceResult& a, const DistanceResult& b) {
+        const auto key = [](const DistanceResult& each) {
+            return std::tuple(each.distance, each.witness->partTriangle, each.witness->environmentTriangle);
+        };
+        return key(a) < key(b);
+    });
+    if (!all.empty()) all[0].counters = state.counters;
+    return all;
+}
+
+std::optional<DistanceGradient> distanceGradient(const DistanceResult& pair, const Vector3& centre) {
+    if (!pair.witness || pair.collides()) return std::nullopt;
+    const Vector3 apart = pair.witness->pointOnPart - pair.witness->pointOnEnvironment;
+    const double length = lengthOf(apart);
+    if (!(length > 0)) return std::nullopt;
+    const Vector3 along = apart / length;
+    return DistanceGradient{along, (pair.witness->pointOnPart - centre).cross(along)};
 }
 
 bool collides(const Model& part, const Model& environment, const Pose& X_environmentPart,

@@ -3,6 +3,8 @@
 #include "query/queries.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/queries.cpp"
@@ -250,6 +252,48 @@ WithinAnswer FindWithin(const PairQuery& query, double distance, Workspace::Stat
     return answer;
 }
 
+/// The visitor of pairsWithin: keeps all pairs that may be near enough.
+class Near {
+  public:
+    Near(double band, Workspace::State& state) : state_(state) {
+        const double reach = band > kLeastProved ? band : kLeastProved;
+        dropFrom_ = reach < hwy::HighestValue<float>() ? nextFloatAbove(reach) : hwy::HighestValue<float>();
+        state.candidates.clear();
+    }
+
+    static constexpr bool kPairsMayWait = true;
+    float dropFrom() const { return dropFrom_; }
+    bool done() const { return false; }
+    bool isThinned() const { return isThinned_; }
+
+    template <class D, class V>
+    HWY_INLINE TriangleBounds<V> bounds(D d, const TrianglePair<V>& pair, V lower) const {
+        return TriangleDistance(d, pair, lower);
+    }
+
+    HWY_INLINE void take(float lower, float /*upper*/, const TrianglesAt& triangles) {
+        state_.candidates.push({lower, triangles});
+        if (state_.candidates.size() < kMostCandidates) return;
+        keepNearest(state_.candidates, false);
+        isThinned_ = true;
+    }
+
+  private:
+    Workspace::State& state_;
+    float dropFrom_;
+    bool isThinned_ = false;
+};
+
+bool FindNear(const PairQuery& query, double band, Workspace::State& state) {
+    bool isThinned = false;
+    withNodeWidth(query.part->nodeWidth, [&](auto width) HWY_ATTR {
+        Near visitor(band * query.perMeshUnit, state);
+        Traverse<width>(query, state, visitor);
+        isThinned = visitor.isThinned();
+    });
+    return isThinned;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace clearway
 HWY_AFTER_NAMESPACE();
@@ -274,6 +318,7 @@ const QueryCounters& Workspace::counters() const {
 
 HWY_EXPORT(FindClosest);
 HWY_EXPORT(FindWithin);
+HWY_EXPORT(FindNear);
 
 ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request, Workspace::State& state) {
     settleTarget();
@@ -283,6 +328,27 @@ ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request,
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state) {
     settleTarget();
     return HWY_DYNAMIC_DISPATCH(FindWithin)(query, distance, state);
+}
+
+bool pairsWithin(const PairQuery& query, double band, Workspace::State& state) {
+    settleTarget();
+    return HWY_DYNAMIC_DISPATCH(FindNear)(query, band, state);
+}
+
+void keepNearest(Pile<Candidate>& candidates, bool isByPairs) {
+    const auto leavesOf = [&](const Candidate& pair) {
+        return std::pair(pair.triangles.part.leaf, isByPairs ? pair.triangles.environment.leaf : 0);
+    };
+    const auto orderOf = [&](const Candidate& pair) {
+        return std::tuple(leavesOf(pair), pair.lower, pair.triangles.part.number,
+                          pair.triangles.environment.leaf, pair.triangles.environment.number);
+    };
+    std::sort(candidates.begin(), candidates.end(),
+              [&](const Candidate& a, const Candidate& b) { return orderOf(a) < orderOf(b); });
+    const Candidate* const end =
+        std::unique(candidates.begin(), candidates.end(),
+                    [&](const Candidate& a, const Candidate& b) { return leavesOf(a) == leavesOf(b); });
+    while (candidates.end() != end) candidates.pop();
 }
 
 void sortByLower(Pile<Candidate>& candidates) {

@@ -121,6 +121,14 @@ ClosestAnswer closestPair(const PairQuery& query, const ClosestRequest& request,
 /// pair that answered.
 WithinAnswer anyPairWithin(const PairQuery& query, double distance, Workspace::State& state);
 
+/// Collects the pairs whose distance may be at most the band in state.candidates, thinned to the nearest of each leaf of the part when
+/// there are more than kMostCandidates. Returns whether they are thinned. band: environment units, >= 0.
+bool pairsWithin(const PairQuery& query, double band, Workspace::State& state);
+constexpr std::size_t kMostCandidates = 1 << 20;
+
+/// Keeps the nearest candidate of each leaf of the part or, if isByPairs, of each pair of leaves.
+void keepNearest(Pile<Candidate>& candidates, bool isByPairs);
+
 /// Sorts by lower bounds, the least first.
 void sortByLower(Pile<Candidate>& candidates);
 

@@ -249,6 +249,29 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     return least;
 }
 
+std::vector<SceneDistance> SceneClearance::nearPairs(const Pose& X_environmentPart, double band) const {
+    const ThreadScratch::ForMotion mine(*scratch_);
+    std::vector<SceneDistance> all;
+    for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
+        const Obstacle& obstacle = scene_.obstacles[i];
+        for (DistanceResult& pair :
+             clearway::nearPairs(scene_.partFor(obstacle), obstacle.model, X_environmentPart,
+                                 band + obstacle.margin, mine->workspaces[i])) {
+            SceneDistance& found = all.emplace_back();
+            static_cast<DistanceResult&>(found) = std::move(pair);
+            found.obstacle = i;
+            nameTriangle(found);
+        }
+    }
+    const auto clearanceOf = [&](const SceneDistance& pair) {
+        return pair.distance - scene_.obstacles[*pair.obstacle].margin;
+    };
+    std::stable_sort(all.begin(), all.end(), [&](const SceneDistance& a, const SceneDistance& b) {
+        return clearanceOf(a) < clearanceOf(b);
+    });
+    return all;
+}
+
 void SceneClearance::nameTriangle(SceneDistance& nearest) const {
     if (!nearest.witness) return;
     Witness& witness = *nearest.witness;

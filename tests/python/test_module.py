@@ -240,6 +240,15 @@ def test_scenes():
     verdict, until, contact = scene.check_motion(place(-4), place(4))
     assert verdict == "contact" and abs(until - 2.25 / 8) < 1e-3 and until < contact < 1
     assert scene.check_motion(place(-4, 3), place(4, 3)) == ("certified", 1.0, None)
+    lower, upper = scene.escape_distance(place(1.2), [3, 0, 0])
+    assert lower <= 0.55 <= upper < lower + 1e-3 and scene.escape_distance(place(2), [1, 0, 0]) == (0, 0)
+    near = clearway.near_pairs(part, wall, place(2), 0.6)
+    assert len(near) > 1 and near[0].distance == 0.5 and near[0].environment_triangle >= 0
+    translation, rotation = clearway.distance_gradient(near[0], [0, 0, 0])
+    assert translation[0] == 1 and rotation[0] == 0 and rotation.shape == (3,)
+    assert clearway.near_pairs(part, wall, place(2), 0.4) == []
+    with pytest.raises(ValueError, match="direction"):
+        scene.escape_distance(place(), [0, 0, 0])
     with pytest.raises(ValueError, match="start"):
         scene.check_motion(np.eye(3), place())
     for margin in (-1, math.nan, math.inf):

@@ -138,6 +138,30 @@ WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clear
     return why.kind;
 }
 
+/// Tells how far the part must be moved along each axis to come free, the shortest way first.
+void tellEscapes(const Problem& problem, ProblemScenes& scenes) {
+    const SceneClearance clearance(scenes.wholeScene(problem));
+    const int axes = problem.space == Space::kSe2 ? 2 : 3;
+    std::vector<std::pair<EscapeDistance, std::string>> ways;
+    for (int axis = 0; axis < axes; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            const EscapeDistance found =
+                clearance.escapeDistance(poseOf(problem.start), sign * Vector3::Unit(axis));
+            ways.emplace_back(found, std::string(sign > 0 ? "+" : "-") + "xyz"[axis]);
+        }
+    }
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const auto& a, const auto& b) { return a.first.upper < b.first.upper; });
+    Fact fact{"comes free", "", "escapes", Json::array()};
+    for (const auto& [way, direction] : ways) {
+        fact.shown += (fact.shown.empty() ? "" : ", ") + direction + " " + shownLength(way.upper);
+        fact.value.push_back(
+            {{"direction", direction}, {"lower", toJson(way.lower)}, {"upper", toJson(way.upper)}});
+    }
+    fact.shown = "moved by " + fact.shown;
+    tell({fact});
+}
+
 struct DescribedEnds {
     Model part;
     bool collidesAtStart;
@@ -150,6 +174,10 @@ DescribedEnds describeEnds(const Problem& problem, ProblemScenes& scenes) {
     const SceneClearance clearance(loaded.scene);
     EnclosureNotes enclosures(scenes.meshes());
     const WhyInvalid::Kind atStart = describeEnd("start", clearance, problem.start, enclosures);
+    using Kind = WhyInvalid::Kind;
+    if (atStart == Kind::kCollides || atStart == Kind::kTooDeep || atStart == Kind::kInSolid ||
+        atStart == Kind::kTooClose)
+        tellEscapes(problem, scenes);
     if (!problem.outside) describeEnd("goal", clearance, problem.goal, enclosures);
     return {loaded.scene.part, atStart == WhyInvalid::Kind::kCollides};
 }

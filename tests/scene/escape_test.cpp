@@ -1,0 +1,98 @@
+// How far a part must be moved along a line to come free and stay free.
+#include <boost/test/unit_test.hpp>
+
+#include "clearway/scene_clearance.h"
+#include "model/solids.h"
+#include "support/random_meshes.h"
+
+namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(escape_test)
+
+namespace {
+
+Scene sceneOf(const Mesh& part, const std::vector<Mesh>& obstacles, double margin = 0) {
+    Scene scene(Model::build(part));
+    for (const Mesh& mesh : obstacles) scene.obstacles.emplace_back(Model::build(mesh), margin);
+    return scene;
+}
+
+/// A block of 4 sits 0.03 deep in a floor of 12 that is 2 thick.
+BOOST_AUTO_TEST_CASE(a_sunk_block_escapes_upwards_least) {
+    const Mesh floor = translated(box({6, 6, 1}), {0, 0, -1});
+    Pose X;
+    X.translation.z() = 1.97;
+    for (const double margin : {0.0, 0.5}) {
+        const SceneClearance clearance(sceneOf(box({2, 2, 2}), {floor}, margin));
+        for (const auto& [direction, length] : {std::pair(Vector3(0, 0, 1), 0.03),
+                                                {Vector3(0, 0, -7), 5.97},
+                                                {Vector3(1, 0, 0), 8.0},
+                                                {Vector3(0, -1, 0), 8.0}}) {
+            const EscapeDistance found = clearance.escapeDistance(X, direction);
+            BOOST_TEST(found.lower <= length + margin + 1e-12);
+            BOOST_TEST(found.upper >= length + margin - 1e-12);
+            BOOST_TEST(found.upper - found.lower < 1e-3);
+        }
+        X.translation.z() = 3;
+        BOOST_TEST(clearance.escapeDistance(X, {0, 0, 1}).upper == 0);
+        BOOST_TEST(clearance.escapeDistance(X, {0, 0, -1}).upper > 6);
+        X.translation.z() = 1.97;
+        BOOST_CHECK_THROW(clearance.escapeDistance(X, Vector3::Zero()), std::invalid_argument);
+        BOOST_CHECK_THROW(clearance.escapeDistance(X, {0, NAN, 1}), std::invalid_argument);
+    }
+    BOOST_TEST(SceneClearance(sceneOf(box({2, 2, 2}), {})).escapeDistance(X, {1, 0, 0}).upper == 0);
+}
+
+/// Every pose beyond `upper` is free, and the pose at `lower` is not.
+BOOST_AUTO_TEST_CASE(poses_beyond_the_escape_distance_are_free) {
+    Random random(6);
+    const Mesh part = torus(1, 0.3, 8);
+    int blocked = 0;
+    for (int n = 0; n < 30; ++n) {
+        std::vector<Mesh> obstacles;
+        for (int k = 0; k < 4; ++k) obstacles.push_back(transformed(box({0.8, 0.5, 0.3}), random.pose(2)));
+        Scene scene = sceneOf(part, obstacles, n % 2 == 0 ? 0 : 0.05);
+        if (n % 3 == 0) {
+            scene.partSolids = makeSolids(part).solids;
+            for (std::size_t k = 0; k < obstacles.size(); ++k)
+                scene.obstacles[k].solids = makeSolids(obstacles[k]).solids;
+        }
+        const SceneClearance clearance(scene);
+        const Pose X = random.pose(1);
+        const Vector3 direction = random.direction();
+        const EscapeDistance found = clearance.escapeDistance(X, direction);
+        BOOST_REQUIRE(found.lower <= found.upper);
+        const auto at = [&](double length) {
+            Pose moved = X;
+            moved.translation += length * direction;
+            return clearance.isFree(moved);
+        };
+        for (int k = 0; k < 200; ++k) BOOST_REQUIRE(at(found.upper * (1 + 1e-9) + 1e-9 + 0.03 * k));
+        if (found.lower == 0) continue;
+        ++blocked;
+        BOOST_TEST(!at(found.lower));
+        BOOST_TEST(found.upper - found.lower < 1e-3);
+    }
+    BOOST_TEST(blocked > 10);
+}
+
+BOOST_AUTO_TEST_CASE(near_pairs_of_a_scene_come_by_clearance) {
+    Scene scene = sceneOf(box({1, 1, 1}),
+                          {translated(box({1, 1, 1}), {3, 0, 0}), translated(box({1, 1, 1}), {-3.2, 0, 0})});
+    scene.obstacles[1].margin = 0.5;
+    const SceneClearance clearance(scene);
+    const std::vector<SceneDistance> near = clearance.nearPairs({}, 1.1);
+    BOOST_REQUIRE(near.size() > 2);
+    BOOST_TEST(*near[0].obstacle == 1);  // 1.2 away, less the margin
+    BOOST_TEST(near[0].distance == 1.2, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(near.front().distance > near.back().distance);
+    bool isFirstThere = false;
+    for (const SceneDistance& each : near) isFirstThere = isFirstThere || *each.obstacle == 0;
+    BOOST_TEST(isFirstThere);
+    BOOST_TEST(clearance.nearPairs({}, 0.6).empty());
+}
+
+}  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace clearway::testing
