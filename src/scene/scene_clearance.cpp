@@ -250,6 +250,8 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
 }
 
 std::vector<SceneDistance> SceneClearance::nearPairs(const Pose& X_environmentPart, double band) const {
+    if (!(band >= 0)) throw ArgumentError("band is " + shortNumber(band) + ", expected 0 or more");
+    requirePose(X_environmentPart);
     const ThreadScratch::ForMotion mine(*scratch_);
     std::vector<SceneDistance> all;
     for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {

@@ -194,8 +194,9 @@ MotionAnswer SceneClearance::check(const RigidMotion& motion, double poseError) 
     const PartMotion whole{piecesOf(motion, scene_.part), moved, /*endJump*/ 0};
     SceneSweepOptions options;
     options.poseError = poseError + kRounding * (motion.start.translation.norm() + radius + moved);
-    // A part of one point has no diagonal.
-    options.leastInterval = std::max({kLeastInterval * scene_.part.box().diagonal().norm(),
+    // A part of one point has no diagonal: the motion's length stands for it.
+    const double diagonal = scene_.part.box().diagonal().norm();
+    options.leastInterval = std::max({kLeastInterval * (diagonal > 0 ? diagonal : moved),
                                       4 * options.poseError, std::numeric_limits<double>::min()});
     options.contactInterval = options.leastInterval;
     options.isForward = true;

@@ -43,6 +43,38 @@ BOOST_AUTO_TEST_CASE(a_sunk_block_escapes_upwards_least) {
     BOOST_TEST(SceneClearance(sceneOf(box({2, 2, 2}), {})).escapeDistance(X, {1, 0, 0}).upper == 0);
 }
 
+BOOST_AUTO_TEST_CASE(odd_questions_have_answers) {
+    // Along a face that it nearly touches, the part comes free where the face ends, and soon.
+    const Mesh floor = translated(box({20, 20, 1}, 10), {0, 0, -2 - 1e-10});
+    const SceneClearance sliding(sceneOf(sphere(1, 20), {floor}));
+    const EscapeDistance along = sliding.escapeDistance({}, {1, 0.3, 0});
+    BOOST_TEST(along.lower == 0);
+    BOOST_TEST(along.upper > 19);
+    BOOST_TEST(along.upper < 23);
+    BOOST_TEST(sliding.escapeDistance({}, {0, 0, 1e300}).upper < 1e-3);
+
+    Mesh point = box({1, 1, 1});
+    for (Vector3& vertex : point.vertices) vertex.setZero();
+    const SceneClearance points(sceneOf(point, {point}, 0.1));
+    Pose X;
+    X.translation.x() = -2;
+    BOOST_TEST(points.escapeDistance(X, {1, 1, 0}).upper == 0);
+    BOOST_TEST(points.escapeDistance(X, {1, 0, 0}).upper == 2.1, boost::test_tools::tolerance(1e-3));
+    BOOST_CHECK_THROW(SceneClearance(sceneOf(point, {point})).escapeDistance({}, {1, 0, 0}),
+                      std::invalid_argument);
+
+    X.translation.x() = 1e17;
+    const SceneClearance far(sceneOf(box({1, 1, 1}), {translated(box({1, 1, 1}), {1e17, 0, 0})}));
+    const EscapeDistance found = far.escapeDistance(X, {1, 0, 0});
+    X.translation.x() += found.upper;
+    BOOST_TEST(found.upper >= 2);
+    BOOST_TEST(far.isFree(X));
+
+    const SceneClearance clearance(sceneOf(box({1, 1, 1}), {}));
+    for (const double band : {-0.3, double(NAN)})
+        BOOST_CHECK_THROW(clearance.nearPairs({}, band), std::invalid_argument);
+}
+
 /// Every pose beyond `upper` is free, and the pose at `lower` is not.
 BOOST_AUTO_TEST_CASE(poses_beyond_the_escape_distance_are_free) {
     Random random(6);
