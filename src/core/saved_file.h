@@ -17,7 +17,7 @@ struct SavedFile {
     std::string_view payload() const;
 };
 
-/// What a file holds.
+/// The kind of contents of a file.
 struct SavedKind {
     const char* name;  ///< in errors, after "saved"
     std::uint64_t version;

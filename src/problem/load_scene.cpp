@@ -81,7 +81,8 @@ class Shrinking {
 
     /// The closed components, shrunk, and the open ones, each group perhaps without any. refusals: adds why components are open.
     Divided divided(const ObstacleGroup& group, std::vector<std::string>& refusals) const {
-        constexpr double kMost = 0.49;  // of a component's diagonal: no point inside it is deeper
+        // No point inside a component is deeper than this share of its diagonal.
+        constexpr double kMost = 0.49;
         Divided made{group, group};
         made.closed.mesh = Mesh();
         made.closed.mesh.origin = group.mesh.origin;
@@ -111,7 +112,7 @@ class Shrinking {
             thin.at = shrunk.thin.at;
         }
         tell(group.overlap, thin, "obstacles");
-        if (open.size() < components.size())
+        if (!made.closed.mesh.triangles.empty())
             made.closed.solids = std::make_shared<const Solids>(Solids::oriented(made.closed.mesh));
         made.closed.shrunkBy = group.overlap;
         made.open.mesh = meshOfComponents(group.mesh, open);

@@ -33,7 +33,7 @@ std::vector<StartRemedy> startRemedies(const Problem& problem, const std::vector
 std::string startAdvice(const Problem& problem, const std::vector<std::string>& touched, double length,
                         bool mayOverlap);
 
-/// What follows on a refusal to shrink an obstacle in place of the part.
+/// Advice that ends a refusal to shrink an obstacle in place of the part.
 std::string openPartAdvice(const std::string& whyPartIsOpen);
 
 }  // namespace clearway

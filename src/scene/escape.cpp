@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBeyond = 1e-3;  ///< of both sizes: how far outside the motion begins
 constexpr double kUlps = 1e-12;   ///< of the largest coordinate: more than poses are rounded by
-/// Of the part's diagonal: how far the part is kept from obstacles. So it cannot slide along a face in ever smaller steps.
+/// The part is kept so far from obstacles, as a share of its diagonal: otherwise it slides along a face in ever smaller steps.
 constexpr double kKept = 1e-5;
 constexpr double kRounding = 1e-15;  ///< of the bounds
 constexpr int kMostHalvings = 60;

@@ -363,7 +363,7 @@ int planAndWrite(const PlanArguments& given, const Problem& problem, OldPath& ol
     if (!tooFine.empty()) throw planning::RefusedOption(tooFine);
     std::optional<ElapsedLine> elapsed;
     planning::PlanOptions options = given.plan;
-    // What shrinking took counts, but for a tenth of a second that planning has in any case.
+    // Shrinking counts in --time; a tenth of a second is left for planning in any case.
     if (!options.iterations) {
         const double all = options.seconds.value_or(planning::kDefaultSeconds);
         options.seconds = std::max(std::min(0.1, all), all - scenes->shrinkSeconds());

@@ -80,7 +80,7 @@ class ProblemScenes {
     /// The scene of all of the meshes, however far from the part they are.
     Scene wholeScene(const Problem& problem);
 
-    /// What shrinking took for the last scene.
+    /// Seconds that shrinking took for the last scene.
     double shrinkSeconds() const { return shrinkSeconds_; }
 
     /// The model of a mesh, taken from the last scene if it is there.
