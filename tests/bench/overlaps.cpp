@@ -13,8 +13,8 @@
 #include "core/replace_file.h"
 #include "mesh/components.h"
 #include "shrink/nearest_triangle.h"
+#include "support/assembled_problems.h"
 #include "support/random_meshes.h"
-#include "support/touching_problems.h"
 
 namespace clearway::testing::overlaps {
 namespace {
@@ -83,16 +83,28 @@ int shrinkAndTell(const std::string& file, double share, int repetitions, const 
     return depths.deepest <= kRounding ? 0 : 1;
 }
 
+int writeProblems(const std::vector<AssembledProblem>& problems, const std::string& folder) {
+    for (const AssembledProblem& problem : problems) {
+        writeAssembledProblem(problem, folder);
+        std::cout << problem.name << '\n';
+    }
+    return 0;
+}
+
 }  // namespace
 
 int run(int count, char** words) {
     const std::string what = count > 1 ? words[1] : "";
-    if (what == "problems" && count == 3) {
-        for (const TouchingProblem& problem : touchingProblems()) {
-            writeTouchingProblem(problem, words[2]);
-            std::cout << problem.name << '\n';
-        }
-        return 0;
+    if (what == "problems" && count == 3) return writeProblems(touchingProblems(), words[2]);
+    if (what == "tight" && count == 3) {
+        std::vector<AssembledProblem> problems = tightProblems();
+        problems.push_back(screwAndNut({360, 21, 7}, 0));
+        problems.back().name = "m12_on_axis";
+        problems.push_back(screwAndNut({360, 21, 7}, 30));
+        problems.back().name = "m12";
+        problems.push_back(screwAndNut({24, 5.25, 7, true}, 0));
+        problems.push_back(screwAndNut({24, 14, 7}, 0));
+        return writeProblems(problems, words[2]);
     }
     if (what == "shrink" && count == 7)
         return shrinkAndTell(words[2], std::stod(words[3]), std::stoi(words[4]), words[5], words[6]);

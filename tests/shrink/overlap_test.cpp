@@ -5,7 +5,7 @@
 
 #include "support/oracle.h"
 #include "support/random_meshes.h"
-#include "support/touching_problems.h"
+#include "support/assembled_problems.h"
 #include "support/winding.h"
 
 namespace clearway::testing {
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_is_within_its_bounds_at_random_poses) {
 BOOST_AUTO_TEST_CASE(nothing_of_a_touching_obstacle_lies_deeper_than_the_bound) {
     Random random(9);
     int deep = 0;
-    for (const TouchingProblem& problem : touchingProblems()) {
+    for (const AssembledProblem& problem : touchingProblems()) {
         const OverlapMeter meter(problem.part);
         Box box;
         for (const Vector3& vertex : problem.part.vertices) box.extend(vertex);

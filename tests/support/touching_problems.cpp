@@ -1,4 +1,4 @@
-#include "support/touching_problems.h"
+#include "support/assembled_problems.h"
 
 #include <cmath>
 #include <fstream>
@@ -37,7 +37,7 @@ Mesh blocks(const std::vector<std::pair<Vector3, Vector3>>& corners) {
 }
 
 /// A ribbed plug that is pressed 0.3 deep into its socket.
-TouchingProblem plug() {
+AssembledProblem plug() {
     const Polyline plug{{0, -20},   {8, -20},  {10.3, -18}, {10.3, -14}, {9.5, -13}, {9.5, -9}, {10.3, -8},
                         {10.3, -4}, {9.5, -3}, {9.5, 0},    {14, 0},     {14, 8},    {0, 8}};
     const Polyline socket{{0, -26}, {16, -26}, {16, 0}, {10, 0}, {10, -20}, {0, -20}};
@@ -46,14 +46,14 @@ TouchingProblem plug() {
 }
 
 /// All faces between the lid and the jar coincide.
-TouchingProblem lid() {
+AssembledProblem lid() {
     const Polyline lid{{0, 8}, {10, 8}, {10, 0}, {12, 0}, {12, 10}, {0, 10}};
     const Polyline jar{{0, -20}, {12, -20}, {12, 0}, {10, 0}, {10, 8}, {0, 8}};
     return {"lid", oneSolid("lid", scenes::turned(lid, 36)), oneSolid("jar", scenes::turned(jar, 36))};
 }
 
 /// The ring sits on a shaft and in a housing. Its facets stand across theirs, and so reach into them.
-TouchingProblem bearing() {
+AssembledProblem bearing() {
     constexpr int kFacets = 48;
     const Polyline ring{{10, 0}, {18, 0}, {18, 8}, {10, 8}};
     const Polyline housing{{0, -10}, {22, -10}, {22, 8}, {18, 8}, {18, 0},
@@ -64,7 +64,7 @@ TouchingProblem bearing() {
 }
 
 /// The slider leaves its groove along y.
-TouchingProblem dovetail() {
+AssembledProblem dovetail() {
     const std::vector<double> ends{-10, 10};
     const auto along = [&](const Polyline& loop) {
         return scenes::sweepAlongY(scenes::fullSection(loop), ends);
@@ -77,7 +77,7 @@ TouchingProblem dovetail() {
 }
 
 /// A headed pin slides along a slot to an opening as wide as its head.
-TouchingProblem keyhole() {
+AssembledProblem keyhole() {
     const Polyline pin{{0, -6}, {4, -6}, {4, -3}, {2, -3}, {2, 6}, {0, 6}};
     const Mesh plate = blocks({{{-10, 2, -3}, {8, 10, 0}},
                                {{-10, -10, -3}, {8, -2, 0}},
@@ -90,7 +90,7 @@ TouchingProblem keyhole() {
 }
 
 /// A crossbar behind a slot turns a quarter, and then fits.
-TouchingProblem crossbar() {
+AssembledProblem crossbar() {
     const scenes::Piece key = scenes::stacked(
         {{rectangle(6, 1.5), -6}, {rectangle(6, 1.5), -3}, {rectangle(1, 1), -3}, {rectangle(1, 1), 8}});
     const Mesh plate = blocks({{{-12, -12, -3}, {-1.6, 12, 0}},
@@ -103,11 +103,11 @@ TouchingProblem crossbar() {
 
 }  // namespace
 
-std::vector<TouchingProblem> touchingProblems() {
+std::vector<AssembledProblem> touchingProblems() {
     return {plug(), lid(), bearing(), dovetail(), keyhole(), crossbar()};
 }
 
-std::string writeTouchingProblem(const TouchingProblem& problem, const std::string& folder,
+std::string writeAssembledProblem(const AssembledProblem& problem, const std::string& folder,
                                  const std::string& keys) {
     const std::string stem = folder + "/" + problem.name;
     saveMesh(problem.part, stem + "_part.obj");

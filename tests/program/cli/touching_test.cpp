@@ -1,6 +1,6 @@
 // Parts that touch or are pressed in where they are assembled: the overlap that the program advises, pasted, brings each out.
 #include "program/cli/run_program.h"
-#include "support/touching_problems.h"
+#include "support/assembled_problems.h"
 
 namespace clearway::testing {
 
@@ -9,10 +9,10 @@ BOOST_AUTO_TEST_SUITE(touching_test)
 namespace {
 
 BOOST_AUTO_TEST_CASE(the_advised_overlap_brings_each_touching_part_out) {
-    for (const TouchingProblem& problem : touchingProblems()) {
+    for (const AssembledProblem& problem : touchingProblems()) {
         BOOST_TEST_CONTEXT(problem.name) {
             const TemporaryFolder folder;
-            writeTouchingProblem(problem, folder.path());
+            writeAssembledProblem(problem, folder.path());
             const std::string file = problem.name + ".cfg";
             const Outcome refused = runIn(folder, "plan " + file + " --path o.path");
             BOOST_TEST(refused.code == 2);
@@ -20,9 +20,9 @@ BOOST_AUTO_TEST_CASE(the_advised_overlap_brings_each_touching_part_out) {
             const Outcome lifted = runIn(folder, "info " + file + " --lift");
             BOOST_REQUIRE(lifted.code == 0);
             const std::string least = row(lifted, "frees the start"), first = row(lifted, "to try first");
-            writeTouchingProblem(problem, folder.path(), least + "\n");
+            writeAssembledProblem(problem, folder.path(), least + "\n");
             BOOST_TEST(holds(row(runIn(folder, "info " + file), "at the start"), "valid"));
-            writeTouchingProblem(problem, folder.path(), first + "\n");
+            writeAssembledProblem(problem, folder.path(), first + "\n");
             const Outcome planned = runIn(folder, "plan " + file + " --path o.path --quick");
             BOOST_TEST(planned.code == 0, planned.out << planned.err);
             const auto checked = factsOf(folder, "check " + file + " o.path");
