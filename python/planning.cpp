@@ -149,7 +149,12 @@ py::dict dictOf(const planning::WhyNoPath& why) {
     for (const planning::Blocker& each : why.blockers) {
         blockers.append(py::make_tuple(each.name, each.partMesh, each.atStart, each.atGoal));
     }
+    py::list tracks;
+    for (const planning::FollowedTrack& each : why.tracks) {
+        tracks.append(py::make_tuple(each.obstacleMesh, each.partMesh, each.isSquare, each.length));
+    }
     py::dict result;
+    result["tracks"] = tracks;
     result["diagonal"] = why.diagonal;
     result["start"] = dictOf(why.start);
     result["goal"] = dictOf(why.goal);

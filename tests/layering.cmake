@@ -26,7 +26,7 @@ set(planning/space_may_include core model scene problem)
 set(planning/check_may_include core model scene problem planning/space)
 set(planning/objectives_may_include core model problem planning/space planning/check)
 set(planning/improve_may_include core model problem planning/space planning/check)
-set(planning/diagnose_may_include core model problem planning/space planning/check)
+set(planning/diagnose_may_include core model problem planning/space planning/check planning/improve planning/planners)
 set(planning/planners_may_include core model problem planning/space planning/check planning/objectives planning/improve)
 set(planning/plan_may_include core model problem planning/space planning/check planning/objectives planning/improve planning/diagnose
                               planning/planners)

@@ -148,13 +148,20 @@ bool collides(const Model& part, const Model& environment, const Pose& X_environ
 bool isWithin(const Model& part, const Model& environment, const Pose& X_environmentPart, double d,
               Workspace& workspace);
 
+/// Which of the pairs nearby nearPairs() returns.
+enum class NearPairs {
+    kAll,         ///< all, thinned only where they are very many
+    kLocalMinima  ///< those of them from which no step into a neighbouring triangle leads to a nearer pair
+};
+
 /// The pairs of triangles whose distance is at most the band, or exceeds it by less than the default width of an interval; the nearest
 /// first. Of more than kAllNearPairs pairs only the nearest of each pair of leaves is kept, of more than kLeafNearPairs the nearest of
 /// each leaf of the part, as bounds in float tell: the nearest pair of all is always among those kept. band: environment
 /// units, >= 0. counters is that of the whole query in the first result, and 0 in the others. Throws ArgumentError under the same
 /// conditions as isWithin(band).
 std::vector<DistanceResult> nearPairs(const Model& part, const Model& environment,
-                                      const Pose& X_environmentPart, double band, Workspace& workspace);
+                                      const Pose& X_environmentPart, double band, Workspace& workspace,
+                                      NearPairs kept = NearPairs::kAll);
 
 constexpr std::size_t kAllNearPairs = 3000;    ///< see nearPairs
 constexpr std::size_t kLeafNearPairs = 30000;  ///< see nearPairs

@@ -280,7 +280,8 @@ class SceneClearance {
     /// The pairs of triangles whose distance less the margin is at most the band, or exceeds it by rounding, of all obstacles, whether
     /// or not contact zones ignore them; the least distance less the margin first. Each obstacle's are thinned as nearPairs() says. band:
     /// environment units, >= 0. Throws what queries throw.
-    std::vector<SceneDistance> nearPairs(const Pose& X_environmentPart, double band) const;
+    std::vector<SceneDistance> nearPairs(const Pose& X_environmentPart, double band,
+                                         NearPairs kept = NearPairs::kAll) const;
 
     /// Sweeps the part along a motion past all obstacles; ignores solids. Throws what queries and the motion's
     /// callbacks throw.

@@ -184,6 +184,20 @@ class Blocker:
     """Motions that it stopped, from states reached from the goal."""
 
 
+@dataclass(frozen=True)
+class FollowedTrack:
+    """The end of a way that the planner for tight fits followed from the start as far as it went."""
+
+    obstacle_mesh: str
+    """Of the closest pair there."""
+    part_mesh: str
+    """The part's mesh of that pair."""
+    is_square: bool
+    """The contact's normal is within 25 degrees of the track: nothing beside it gives way."""
+    length: float
+    """The way of the part's centre, and of a point a quarter of the diagonal from the axis of its turns."""
+
+
 @dataclass(frozen=True, eq=False)
 class WhyNoPath:
     """Why no path was found. str() says it in words."""
@@ -198,6 +212,8 @@ class WhyNoPath:
     """From random states reached towards random poses."""
     blockers: Tuple[Blocker, ...]
     """The obstacles and bounds that stopped them, most first."""
+    tracks: Tuple[FollowedTrack, ...]
+    """Of the planner for tight fits, where it took part."""
     nearest_states: Floats
     """(N, 7): the way from the start to the goal on which only the motion from state [gap] to the next is not valid."""
     gap: int
@@ -221,6 +237,9 @@ class WhyNoPath:
         for each in self.blockers[:5]:
             lines.append("%.0f %% of the motions that were stopped: by %s" % (
                 100 * (each.at_start + each.at_goal) / stopped, "'%s'" % each.name if each.name else "the bounds"))
+        for track in self.tracks:
+            lines.append("a track of length %.4g ends %s '%s'" % (
+                track.length, "square to" if track.is_square else "beside", track.obstacle_mesh))
         lines.append("states reached from start and goal are %.4g apart" % self.displacement)
         return "\n".join(lines)
 
@@ -331,7 +350,8 @@ def why_of(found: Dict[str, Any]) -> WhyNoPath:
         return Reached(**dict(end, bounds=tuple(end["bounds"])))
 
     fields = ("diagonal", "motions_tried", "nearest_states", "gap", "displacement")
-    return WhyNoPath(start=reached("start"), goal=reached("goal"), blockers=tuple(Blocker(*each) for each in found["blockers"]),
+    return WhyNoPath(start=reached("start"), goal=reached("goal"), tracks=tuple(FollowedTrack(*each) for each in found["tracks"]),
+                     blockers=tuple(Blocker(*each) for each in found["blockers"]),
                      **{name: found[name] for name in fields})
 
 

@@ -17,6 +17,7 @@ from ._core import Problem, Scene
 from ._results import (
     Audit,
     Blocker,
+    FollowedTrack,
     CheckResult,
     Closest,
     Fault,
@@ -54,6 +55,7 @@ _refuse_other_ompl()
 __all__ = [
     "Audit",
     "Blocker",
+    "FollowedTrack",
     "CheckResult",
     "Closest",
     "Fault",

@@ -11,6 +11,7 @@
 #include "clearway/model.h"
 #include "core/number.h"
 #include "model/arguments.h"
+#include "model/local_minima.h"
 #include "model/model_data.h"
 #include "model/query_range.h"
 #include "query/decide.h"
@@ -137,7 +138,8 @@ DistanceResult distance(const Model& part, const Model& environment, const Pose&
 }
 
 std::vector<DistanceResult> nearPairs(const Model& part, const Model& environment,
-                                      const Pose& X_environmentPart, double band, Workspace& workspace) {
+                                      const Pose& X_environmentPart, double band, Workspace& workspace,
+                                      NearPairs kept) {
     requireBound("band", band);
     requireWithinCap(environment, band);
     Workspace::State& state = stateOf(workspace);
@@ -146,13 +148,17 @@ std::vector<DistanceResult> nearPairs(const Model& part, const Model& environmen
     const bool isThinned = pairsWithin(query, band, state);
     if (isThinned || state.candidates.size() > kAllNearPairs)
         keepNearest(state.candidates, !isThinned && state.candidates.size() <= kLeafNearPairs);
-    std::vector<DistanceResult> all;
+    std::vector<PlacedPair> placed;
     const WantedWidth wanted{query.defaultWidth, 0, std::numeric_limits<double>::infinity()};
     for (const Candidate& candidate : state.candidates) {
         const ResolvedPair pair = settlePair(query, candidate.triangles, wanted, state.counters);
         if (pair.lower <= band * query.perMeshUnit)
-            all.push_back(resultOf(part, environment, query, pair, candidate.triangles));
+            placed.push_back(
+                {resultOf(part, environment, query, pair, candidate.triangles), candidate.triangles});
     }
+    if (kept == NearPairs::kLocalMinima) keepLocalMinima(part, environment, X_environmentPart, placed);
+    std::vector<DistanceResult> all;
+    for (PlacedPair& pair : placed) all.push_back(std::move(pair.result));
     std::sort(all.begin(), all.end(), [](const DistanceResult& a, const DistanceResult& b) {
         const auto key = [](const DistanceResult& each) {
             return std::tuple(each.distance, each.witness->partTriangle, each.witness->environmentTriangle);

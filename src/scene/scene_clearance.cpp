@@ -249,7 +249,8 @@ SceneDistance SceneClearance::distance(const Pose& X_environmentPart) const {
     return least;
 }
 
-std::vector<SceneDistance> SceneClearance::nearPairs(const Pose& X_environmentPart, double band) const {
+std::vector<SceneDistance> SceneClearance::nearPairs(const Pose& X_environmentPart, double band,
+                                                     NearPairs kept) const {
     if (!(band >= 0)) throw ArgumentError("band is " + shortNumber(band) + ", expected 0 or more");
     requirePose(X_environmentPart);
     const ThreadScratch::ForMotion mine(*scratch_);
@@ -258,7 +259,7 @@ std::vector<SceneDistance> SceneClearance::nearPairs(const Pose& X_environmentPa
         const Obstacle& obstacle = scene_.obstacles[i];
         for (DistanceResult& pair :
              clearway::nearPairs(scene_.partFor(obstacle), obstacle.model, X_environmentPart,
-                                 band + obstacle.margin, mine->workspaces[i])) {
+                                 band + obstacle.margin, mine->workspaces[i], kept)) {
             SceneDistance& found = all.emplace_back();
             static_cast<DistanceResult&>(found) = std::move(pair);
             found.obstacle = i;

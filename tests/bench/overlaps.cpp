@@ -98,11 +98,11 @@ int run(int count, char** words) {
     if (what == "problems" && count == 3) return writeProblems(touchingProblems(), words[2]);
     if (what == "tight" && count == 3) {
         std::vector<AssembledProblem> problems = tightProblems();
-        problems.push_back(screwAndNut({360, 21, 7}, 0));
+        problems.push_back(screwAndNut({180, 14, 7, 3}, 0));
         problems.back().name = "m12_on_axis";
-        problems.push_back(screwAndNut({360, 21, 7}, 30));
+        problems.push_back(screwAndNut({180, 14, 7, 3}, 30));
         problems.back().name = "m12";
-        problems.push_back(screwAndNut({24, 5.25, 7, true}, 0));
+        problems.push_back(screwAndNut({24, 5.25, 7, 1, true}, 0));
         problems.push_back(screwAndNut({24, 14, 7}, 0));
         return writeProblems(problems, words[2]);
     }

@@ -27,6 +27,7 @@ std::vector<AssembledProblem> tightProblems();
 struct ScrewShape {
     int segments = 24;            ///< of a turn
     double length = 14, nut = 7;  ///< threaded lengths
+    int profileParts = 1;         ///< of each of the four lines of the thread's profile
     bool isShutIn = false;        ///< the thread of the nut ends in a face at both ends
 };
 /// The screw's axis is tilted; shift: of the axis from the origin.

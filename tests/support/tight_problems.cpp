@@ -64,6 +64,21 @@ class Skin {
             quad(first[k], first[next], second[next], second[k]);
         }
     }
+    /// The end of a ring between two borders of helix surfaces, of which the second one closes with a step of one line.
+    void end(const std::vector<std::uint32_t>& inner, const std::vector<std::uint32_t>& outer, bool isAbove) {
+        const std::size_t step = outer.size() - 1;
+        const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            if (isAbove) std::swap(a, b);
+            piece.triangles.push_back({a, b, c});
+        };
+        for (std::size_t k = 0; k < step; ++k) {
+            triangle(inner[k], inner[k + 1], outer[k + 1]);
+            triangle(inner[k], outer[k + 1], outer[k]);
+        }
+        for (std::size_t k = step; k < inner.size(); ++k)
+            triangle(inner[k], inner[(k + 1) % inner.size()], outer[step]);
+        triangle(inner[0], outer[0], outer[step]);
+    }
     /// The fan on the left of a loop.
     void fan(const std::vector<std::uint32_t>& loop, const Vector3& middle) {
         const std::uint32_t centre = add(middle);
@@ -132,29 +147,37 @@ class HelixSurface {
 
 constexpr double kPitch = 1.75, kCrest = 6, kRoot = 4.93, kPlay = 0.08;
 
-ThreadProfile thread(double wider) {
-    return {{0, kCrest + wider}, {0.22, kCrest + wider}, {0.77, kRoot + wider}, {1.2, kRoot + wider}};
+/// parts: of each of the four lines of the profile.
+ThreadProfile thread(double wider, int parts) {
+    const ThreadProfile corners{{0, kCrest}, {0.22, kCrest}, {0.77, kRoot}, {1.2, kRoot}, {kPitch, kCrest}};
+    ThreadProfile profile;
+    for (std::size_t line = 0; line < 4; ++line) {
+        for (int k = 0; k < parts; ++k) {
+            const double share = double(k) / parts;
+            const ProfilePoint &a = corners[line], &b = corners[line + 1];
+            profile.push_back({a.z + share * (b.z - a.z), a.radius + share * (b.radius - a.radius) + wider});
+        }
+    }
+    return profile;
 }
 
-Piece threadedRod(double from, int turns, int segments) {
+Piece threadedRod(double from, int turns, const ScrewShape& shape) {
     Skin skin;
-    const HelixSurface surface(skin, thread(0), kPitch, from, turns, segments);
+    const HelixSurface surface(skin, thread(0, shape.profileParts), kPitch, from, turns, shape.segments);
     surface.cover(skin, true);
     skin.fan(reversed(surface.border(false)), {0, 0, from + 0.5 * kPitch});
     skin.fan(surface.border(true), {0, 0, from + (turns + 0.5) * kPitch});
     return skin.piece;
 }
 
-Piece nut(double from, int turns, int segments) {
+Piece nut(double from, int turns, const ScrewShape& shape) {
     Skin skin;
-    ThreadProfile flat = thread(0);
-    for (ProfilePoint& point : flat) point.radius = 10;
-    const HelixSurface inner(skin, thread(kPlay), kPitch, from, turns, segments),
-        outer(skin, flat, kPitch, from, turns, segments);
+    const HelixSurface inner(skin, thread(kPlay, shape.profileParts), kPitch, from, turns, shape.segments),
+        outer(skin, {{0, 10}}, kPitch, from, turns, shape.segments);
     inner.cover(skin, false);
     outer.cover(skin, true);
-    skin.band(inner.border(false), outer.border(false));
-    skin.band(outer.border(true), inner.border(true));
+    skin.end(inner.border(false), outer.border(false), false);
+    skin.end(inner.border(true), outer.border(true), true);
     return skin.piece;
 }
 
@@ -293,11 +316,11 @@ AssembledProblem screwAndNut(const ScrewShape& shape, double shift) {
     Assembly screw, around;
     const int turns = int(std::lround(shape.length / kPitch)), held = int(std::lround(shape.nut / kPitch));
     const double top = 2 * kPitch, length = kPitch * (turns + 1);
-    screw.add("thread", threadedRod(top - length, turns, shape.segments));
+    screw.add("thread", threadedRod(top - length, turns, shape));
     if (shape.isShutIn) {
         const double from = top - length - kPitch, to = top + kPitch;
         screw.add("core", disc(kRoot - 0.5, from - 10, to + 10, shape.segments));
-        around.add("nut", nut(from, turns + 2, shape.segments));
+        around.add("nut", nut(from, turns + 2, shape));
         around.add("face_below",
                    scenes::ring({{kRoot, from - 2}, {10, from - 2}, {10, from + 0.2}, {kRoot, from + 0.2}},
                                 shape.segments));
@@ -305,7 +328,7 @@ AssembledProblem screwAndNut(const ScrewShape& shape, double shift) {
                    scenes::ring({{kRoot, to}, {10, to}, {10, to + 2}, {kRoot, to + 2}}, shape.segments));
     } else {
         screw.add("head", disc(9, top, top + 6, 6));
-        around.add("nut", nut(top - kPitch * (held + 3), held, shape.segments));
+        around.add("nut", nut(top - kPitch * (held + 3), held, shape));
     }
     return tilted(shape.isShutIn ? "captive" : "screw", screw, around, {shift, 0.3 * shift, -0.2 * shift});
 }

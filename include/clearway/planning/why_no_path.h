@@ -71,6 +71,16 @@ struct NearestMiss {
     double displacement = 0;  ///< the most that any point of the part moves over the gap
 };
 
+/// The end of a way that the planner for tight fits followed from the start as far as it went.
+struct FollowedTrack {
+    std::string obstacleMesh;  ///< of the closest pair there, see meshNames
+    std::string partMesh;      ///< the part's mesh of that pair
+    bool isSquare =
+        false;  ///< the contact's normal is within 25 degrees of the track: nothing beside it gives way
+    double length =
+        0;  ///< the way of the part's centre, and of a point a quarter of the diagonal from the axis of its turns
+};
+
 /// The answer of whyNoPath(). Lengths in environment units.
 struct WhyNoPath {
     double diagonal = 0;  ///< of the part's box
@@ -78,9 +88,10 @@ struct WhyNoPath {
     /// How far the part comes from the goal; only `states` is set for a goal outside, or if the definition has a goal
     /// of the caller's that problem.goal does not satisfy.
     ReachedFrom goal;
-    std::size_t motionsTried = 0;   ///< how many motions were followed to find what stops the part
-    std::vector<Blocker> blockers;  ///< those that stopped most motions first
-    NearestMiss nearest;            ///< where start and goal were nearly joined
+    std::size_t motionsTried = 0;       ///< how many motions were followed to find what stops the part
+    std::vector<Blocker> blockers;      ///< those that stopped most motions first
+    std::vector<FollowedTrack> tracks;  ///< of TwistSearch, where it took part
+    NearestMiss nearest;                ///< where start and goal were nearly joined
     /// The motion over the gap is valid: the trees of several planners, joined, are a path.
     bool isJoined = false;
 

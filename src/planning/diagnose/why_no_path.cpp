@@ -6,6 +6,8 @@
 
 #include "planning/diagnose/failed_trees.h"
 #include "planning/diagnose/what_blocks.h"
+#include "planning/planners/planner_team.h"
+#include "planning/planners/twist_search.h"
 #include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
@@ -80,6 +82,23 @@ void findNearestMiss(const FailedTrees& trees, const FailedPlanning& failed, Spa
     why.isJoined = failed.validator->checkMotion(a, b);
 }
 
+std::vector<FollowedTrack> tracksOf(const FailedPlanning& failed) {
+    constexpr double kSquare = 0.9;  // cosine
+    const Scene& scene = failed.validator->scene();
+    std::vector<FollowedTrack> tracks;
+    for (const ob::PlannerPtr& planner : failed.planners) {
+        const auto* team = dynamic_cast<const PlannerTeam*>(planner.get());
+        const TwistSearch* search =
+            team != nullptr ? team->twistSearch() : dynamic_cast<const TwistSearch*>(planner.get());
+        if (search == nullptr) continue;
+        for (const TwistTree::TrackEnd& end : search->ends()) {
+            const MeshNames names = distinctMeshNames(scene, end.contact);
+            tracks.push_back({names.environment, names.part, end.squareness > kSquare, end.length});
+        }
+    }
+    return tracks;
+}
+
 /// The problem's goal. Nothing for a goal outside, and where the definition has a goal of the caller's elsewhere.
 std::optional<ob::ScopedState<>> posedGoal(const Problem& problem, const ob::ProblemDefinition& definition) {
     if (problem.outside || !definition.getGoal()) return std::nullopt;
@@ -109,6 +128,7 @@ WhyNoPath whyNoPath(const FailedPlanning& failed, const Problem& problem,
         why.goal.states = trees.goal.states.size();  // from many poses: none to measure from
     }
     findNearestMiss(trees, failed, problem.space, why);
+    why.tracks = tracksOf(failed);
     if (!why.isJoined) findBlockers(trees, *failed.validator, problem.space, options, why);
     return why;
 } catch (const ompl::Exception& refusal) {

@@ -29,6 +29,11 @@ std::optional<ContactPlane> contactPlaneOf(const SceneDistance& nearest, const S
 
 ContactRow rowAt(const ContactPlane& plane, const PartMoves& moves, const Pose& X_environmentPart);
 
+/// The contacts at a pose whose gaps are at most the band, the smallest gap first, of the obstacles that count there. Of several whose
+/// rows hardly differ the first is kept, and at most 150 in all. Pairs that touch are left out.
+std::vector<ContactRow> rowsNear(const SceneClearance& clearance, const PartMoves& moves,
+                                 const Pose& X_environmentPart, double band);
+
 /// The twist nearest to the desired one for which each gap is at least `gap` afterwards, to first order: by Gauss-Seidel
 /// steps on the multipliers of the rows. Rows that contradict each other are kept as far as the steps bring them.
 Twist nearestKeeping(double gap, const std::vector<ContactRow>& rows, const Twist& desired);

@@ -61,19 +61,27 @@ void PartMoves::move(const ob::State* from, const Twist& twist, ob::State* to) c
     const Eigen::Quaterniond turned = (quaternionOf(twist.tail<3>() / lever()) * rotation).normalized();
     const Vector3 position =
         before.position + rotation * centreOnPart_ + twist.head<3>() - turned * centreOnPart_;
+    write(position, turned, to);
+}
+
+void PartMoves::setPose(const Pose& X_environmentPart, ob::State* to) const {
+    write(X_environmentPart.translation, toQuaternion(X_environmentPart), to);
+}
+
+void PartMoves::write(const Vector3& position, const Eigen::Quaterniond& rotation, ob::State* to) const {
     if (isPlanar_) {
         auto* se2 = to->as<ob::SE2StateSpace::StateType>();
         se2->setXY(position.x(), position.y());
-        const double yaw = std::remainder(2 * std::atan2(turned.z(), turned.w()), 2 * M_PI);
+        const double yaw = std::remainder(2 * std::atan2(rotation.z(), rotation.w()), 2 * M_PI);
         se2->setYaw(yaw < M_PI ? yaw : -M_PI);  // OMPL's angles end before pi
     } else {
         auto* se3 = to->as<ob::SE3StateSpace::StateType>();
         se3->setXYZ(position.x(), position.y(), position.z());
         auto& q = se3->rotation();
-        q.x = turned.x();
-        q.y = turned.y();
-        q.z = turned.z();
-        q.w = turned.w();
+        q.x = rotation.x();
+        q.y = rotation.y();
+        q.z = rotation.z();
+        q.w = rotation.w();
     }
 }
 

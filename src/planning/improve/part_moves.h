@@ -29,6 +29,10 @@ class PartMoves {
     void move(const ompl::base::State* from, const Twist& twist, ompl::base::State* to) const;
 
     Pose pose(const ompl::base::State* state) const;
+    /// Sets a state to a pose; in SE(2) to its position and its turn about z.
+    void setPose(const Pose& X_environmentPart, ompl::base::State* to) const;
+    /// Whether the space is SE(2).
+    bool isPlanar() const { return isPlanar_; }
     Vector3 centre(const Pose& X_environmentPart) const { return X_environmentPart * centreOnPart_; }
 
     /// The twist whose product with another twist is how far that one moves a point of the part along a direction, to
@@ -36,6 +40,8 @@ class PartMoves {
     Twist along(const Vector3& direction, const Vector3& point, const Pose& X_environmentPart) const;
 
   private:
+    void write(const Vector3& position, const Eigen::Quaterniond& rotation, ompl::base::State* to) const;
+
     bool isPlanar_;
     Vector3 centreOnPart_;
     double radius_;

@@ -1,6 +1,7 @@
 #include "planning/planners/planner_team.h"
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/sliding_rrt_connect.h"
 #include "core/clock.h"
+#include "planning/planners/twist_search.h"
 
 namespace clearway::planning {
 
@@ -26,11 +28,13 @@ namespace {
 /// Iterations of RRTConnect's shortest run: on easy problems of OMPL.app, most runs have ended by then.
 constexpr std::uint64_t kShortestRun = 3000;
 /// Iterations of a turn, which take about the same time. Finer slides take more of it.
-constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30, kFineTurn = 10;
+constexpr std::uint64_t kTurn = 1000, kSlidingTurn = 30, kFineTurn = 10, kTwistTurn = 10;
 /// A turn in seconds, where turns are counted in time.
 constexpr double kSecondsOfTurn = 0.03;
 /// Restarts succeed early or almost never; turns after the first kEarlyTurns are charged kLateCost times.
 constexpr double kEarlyTurns = 20, kLateCost = 4;
+constexpr const char* kTwistSearch = "TwistSearch";
+constexpr double kTwistCost = 0.5;  ///< in a tight fit a TwistSearch gets the time of two others
 /// Finer standoffs, as shares of the diagonal of the part's box.
 constexpr double kLeastFineStandoff = 0.00025, kMostFineStandoff = 0.01;
 
@@ -56,7 +60,9 @@ struct PlannerTeam::Member {
     std::uint64_t shortestRun = 0;     ///< iterations; 0: one run only
     std::uint64_t runs = 0, left = 0;  ///< iterations left in the present run
     double spent = 0;                  ///< turns
+    double cost = 1;                   ///< of a turn
     bool isBusy = false;
+    bool isExhausted = false;  ///< nothing is left to try
 
     /// Takes over the starts that were added. With other starts or another goal the planner begins anew.
     void follow(const ob::ProblemDefinition& given) {
@@ -95,6 +101,8 @@ struct PlannerTeam::Member {
         definition->clearSolutionPaths();
         const ob::PlannerStatus status = planner->solve(isTurnOver);
         left -= std::max<std::uint64_t>(1, std::min(count, left));
+        const auto* search = dynamic_cast<const TwistSearch*>(planner.get());
+        isExhausted = search != nullptr && search->isExhausted();
         // A planner that still waits for a goal when its turn ends calls the goal invalid.
         const bool isUnfinished = status == ob::PlannerStatus::INVALID_GOAL && isTurnOver();
         return isUnfinished ? ob::PlannerStatus(ob::PlannerStatus::TIMEOUT) : status;
@@ -127,7 +135,8 @@ class PlannerTeam::Turns {
         if (isFound_ || failure_ || isSpent_()) return nullptr;
         Member* chosen = nullptr;
         for (const auto& member : members_) {
-            if (!member->isBusy && (chosen == nullptr || member->spent < chosen->spent))
+            if (!member->isBusy && !member->isExhausted &&
+                (chosen == nullptr || member->spent < chosen->spent))
                 chosen = member.get();
         }
         if (chosen != nullptr) chosen->isBusy = true;
@@ -138,7 +147,7 @@ class PlannerTeam::Turns {
         const std::lock_guard<std::mutex> lock(mutex_);
         member.isBusy = false;
         const bool isLate = member.shortestRun > 0 && member.spent > kEarlyTurns;
-        member.spent += isLate ? kLateCost * spent : spent;
+        member.spent += (isLate ? kLateCost : member.cost) * spent;
         if (status == ob::PlannerStatus::EXACT_SOLUTION && winner_ == nullptr) {
             winner_ = &member;
             isFound_ = true;
@@ -192,6 +201,29 @@ void PlannerTeam::makeMembers() {
     }
 }
 
+/// Where a start or a fixed goal is in a tight fit, a TwistSearch goes first. Elsewhere nothing changes but for the query that tells.
+void PlannerTeam::addTwistSearch() {
+    if (twistSearch() != nullptr || pdef_->getStartStateCount() == 0) return;
+    const auto* goal = dynamic_cast<const ob::GoalState*>(pdef_->getGoal().get());
+    const bool isTight = TwistSearch::isTight(si_, pdef_->getStartState(0)) ||
+                         (goal != nullptr && TwistSearch::isTight(si_, goal->getState()));
+    if (!isTight) return;
+    const auto planner = std::make_shared<TwistSearch>(si_);
+    planner->setRange(range_);
+    planner->setup();
+    auto member = std::make_unique<Member>();
+    *member = {kTwistSearch, planner, nullptr, kTwistTurn};
+    member->cost = kTwistCost;
+    members_.insert(members_.begin(), std::move(member));
+}
+
+const TwistSearch* PlannerTeam::twistSearch() const {
+    for (const auto& member : members_) {
+        if (const auto* search = dynamic_cast<const TwistSearch*>(member->planner.get())) return search;
+    }
+    return nullptr;
+}
+
 void PlannerTeam::setup() {
     Planner::setup();
     if (members_.empty()) makeMembers();
@@ -206,6 +238,7 @@ void PlannerTeam::clear() {
 
 ob::PlannerStatus PlannerTeam::solve(const ob::PlannerTerminationCondition& isSpent) {
     checkValidity();
+    addTwistSearch();
     for (const auto& member : members_) member->follow(*pdef_);
     Turns turns(members_, threads_ > 1, isSpent);
     std::vector<std::future<void>> others;

@@ -50,6 +50,7 @@
 #include "core/text.h"
 #include "planning/planners/planner_team.h"
 #include "planning/planners/rising_floor.h"
+#include "planning/planners/twist_search.h"
 #include "planning/space/ompl_refusal.h"
 #include "planning/space/ompl_states.h"
 
@@ -167,6 +168,7 @@ constexpr NamedPlanner kPlanners[] = {
     {"SST", make<og::SST>, true},
     {"STRIDE", make<og::STRIDE>, true},
     {"TRRT", make<og::TRRT>, true},
+    {"TwistSearch", make<TwistSearch>, true},
     {"pRRT", make<og::pRRT>, false},
     {"pSBL", make<SteadySbl>, false},
 };

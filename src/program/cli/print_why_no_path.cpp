@@ -82,6 +82,28 @@ void printBlockers(const WhyNoPath& why) {
     printEnd("at the goal", why.goal, &Blocker::atGoal);
 }
 
+/// "3 followed: 2 end square to 'nut' (the part's 'thread'), 1 ends beside 'nut'"
+void printTracks(const WhyNoPath& why) {
+    if (why.tracks.empty()) return;
+    std::vector<std::pair<std::string, std::size_t>> ends;
+    for (const planning::FollowedTrack& track : why.tracks) {
+        const std::string end = std::string(track.isSquare ? "square to" : "beside") + " '" +
+                                track.obstacleMesh + "' (the part's '" + track.partMesh + "')";
+        const auto known =
+            std::find_if(ends.begin(), ends.end(), [&](const auto& each) { return each.first == end; });
+        known == ends.end() ? ends.push_back({end, 1}) : void(++known->second);
+    }
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::vector<std::string> texts;
+    for (const auto& [end, count] : ends) {
+        if (texts.size() == kMostBlockers) break;
+        texts.push_back(std::to_string(count) + (count == 1 ? " ends " : " end ") + end);
+    }
+    printRow("tracks", std::to_string(why.tracks.size()) + " followed from the start along contacts: " +
+                           joined(texts) + (ends.size() > texts.size() ? ", ..." : ""));
+}
+
 void printTouchedBounds(const ReachedFrom& end, const std::string& name) {
     std::vector<std::string> names;
     for (const BoxSide& bound : end.bounds) names.push_back(planning::boundNamed(bound));
@@ -146,6 +168,7 @@ void printWhyNoPath(const WhyNoPath& why) {
     printTouchedBounds(why.start, "start");
     printTouchedBounds(why.goal, "goal");
     printBlockers(why);
+    printTracks(why);
     printRow("nearest miss",
              "states reached from start and goal are " + shownLength(why.nearest.displacement) + " apart");
 }

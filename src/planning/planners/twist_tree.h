@@ -1,0 +1,139 @@
+// A tree of screw motions that leads a part out of a tight fit.
+#pragma once
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalRegion.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "clearway/planning/motion_validator.h"
+#include "clearway/scene_clearance.h"
+#include "planning/improve/contact_planes.h"
+#include "planning/improve/screw.h"
+
+namespace clearway::planning {
+
+/// Grows from roots in tight fits along screws that the contacts nearby leave open, each followed as far as it is certified. Works in
+/// small steps, so that planners can take turns.
+class TwistTree {
+  public:
+    /// goal: ends the search where it is satisfied, and is tried for first; null: the tree grows until the part has come free.
+    /// isFromStart: otherwise paths take the tree's motions in reverse. The other arguments must outlive this object.
+    TwistTree(ompl::base::SpaceInformationPtr si, const SceneClearance& clearance, const PartMoves& moves,
+              const ompl::base::GoalRegion* goal, bool isFromStart);
+    ~TwistTree();
+    TwistTree(const TwistTree&) = delete;
+    TwistTree& operator=(const TwistTree&) = delete;
+
+    struct Node;
+
+    void addRoot(const ompl::base::State* state);
+    std::size_t rootCount() const { return rootCount_; }
+
+    /// Takes one step: a look around, a try of a direction, or a piece of a track. Returns whether there is anything left to do.
+    bool work();
+
+    /// A node where the goal is satisfied; null before there is one.
+    const Node* atGoal() const { return atGoal_; }
+    /// The nodes where the part has come free: it has more play than a tight fit leaves.
+    const std::vector<const Node*>& free() const { return free_; }
+    const ompl::base::State* stateOf(const Node& node) const;
+
+    /// The states from a root to the node, between which OMPL's motions are valid in the direction of the tree's paths.
+    std::vector<const ompl::base::State*> pathTo(const Node& node) const;
+
+    /// Adds the tree's states and motions, in the direction of paths.
+    void addData(ompl::base::PlannerData& data) const;
+
+    /// The end of a track that was given up.
+    struct TrackEnd {
+        SceneDistance contact;  ///< the closest pair there
+        double squareness;  ///< cosine of the angle between the track and the contact's normal; 1: head on
+        double length;      ///< of the track, as twists measure it
+    };
+    const std::vector<TrackEnd>& ends() const { return ends_; }
+
+    /// Whether a fit is tight: a part with more clearance than that is better served by other planners.
+    static bool isTight(const SceneClearance& clearance, const PartMoves& moves,
+                        const Pose& X_environmentPart);
+
+  private:
+    struct Candidate;
+    struct Track;
+    struct Probe;
+
+    /// Directions to try at a pose.
+    struct Directions {
+        std::vector<Twist> open;  ///< leave the gaps open for a while
+        std::vector<Twist>
+            late;  ///< leave them open for no more than a gap; tried when there is nothing else
+    };
+    struct Advance {
+        double time = 0;  ///< certified
+        bool isWhole = false;
+    };
+    double floorFrom(const Node& node) const;
+    Advance advance(const Node& from, const Screw& screw) const;
+    Node* grow(Node* parent, const Screw& screw, double time);
+    void lookAround(Node& node, const Twist* arrived);
+    void score(const Candidate& candidate);
+    bool leadsNearer(const Candidate& candidate) const;
+    double priorityOf(const Candidate& candidate) const;
+    void begin(const Candidate& candidate);
+    void followOn();
+    void reachGoal(const Node* node);
+    bool pullOut(Node& node, const Screw& screw);
+    void finishTrack();
+    Node* centre(Node* node, const Twist& along);
+    Screw chooseScrew(const Node& node, double wanted);
+    bool isOld(const ompl::base::State* state, std::size_t count) const;
+    void findClearance(Node& node) const;
+    void probe();
+    Directions directionsAt(const Pose& X_environmentPart, const std::vector<ContactRow>& rows);
+    Twist twistOf(const Screw& screw, const Node& node) const;
+    Screw screwOf(const Twist& twist, const Node& node) const;
+    double goalDistance(const Node& node) const;
+
+    bool isValidMotion(const ompl::base::State* from, const ompl::base::State* to, double floor) const;
+
+    ompl::base::SpaceInformationPtr si_;
+    const SceneClearance& clearance_;
+    const PartMoves& moves_;
+    const ompl::base::GoalRegion* goal_;
+    const bool isFromStart_;
+    const MotionValidator* validator_;  ///< null for one that is not clearway's
+    const Matrix3 principalAxes_;       ///< in the part's coordinates
+    double play_ = 0;      ///< of the node that is at work
+    double rootPlay_ = 0;  ///< the largest of the roots'
+    ompl::RNG random_;
+    std::vector<std::unique_ptr<Node>> nodes_;
+    std::vector<Candidate> unscored_, late_, open_;
+    std::unique_ptr<Track> track_;
+    std::vector<Probe> probes_;
+    std::vector<Screw> library_;  ///< of tracks, at any scale
+    std::vector<TrackEnd> ends_;
+    std::vector<const Node*> free_;
+    const Node* atGoal_ = nullptr;
+    std::size_t rootCount_ = 0;
+};
+
+struct TwistTree::Node {
+    ompl::base::State* state;
+    Pose X_environmentPart;
+    Node* parent;
+    Screw screw;       ///< from the parent, for a unit of time
+    int depth;         ///< tracks from the root
+    double toGoal;     ///< the goal's distance; 0 without a goal
+    double length;     ///< of the way from the parent
+    double play;       ///< the gap that a centred part has there
+    double clearance;  ///< the part has at least this there
+    bool isWhole;      ///< the screw from the parent was followed as far as wanted
+    std::vector<ompl::base::State*>
+        states;  ///< between the parent and this one; OMPL's motions between them are valid
+};
+
+}  // namespace clearway::planning
