@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "model/triangles_of.h"
+#include "model/principal_axes.h"
 #include "planning/improve/least_twist.h"
 #include "planning/space/ompl_states.h"
 
@@ -62,23 +62,6 @@ double placeOf(int k) {
     double place = 0, share = 0.5;
     for (int rest = k + 1; rest > 0; rest /= 2, share *= 0.5) place += share * (rest % 2);
     return place;
-}
-
-/// Of the triangles' corners.
-Matrix3 principalAxesOf(const Model& part) {
-    Vector3 sum = Vector3::Zero();
-    Matrix3 squares = Matrix3::Zero();
-    double count = 0;
-    eachTriangleOf(part, [&](std::size_t, const TriangleCorners& corners) {
-        for (const Vector3& corner : corners) {
-            const Vector3 from = corner - part.box().center();
-            sum += from;
-            squares += from * from.transpose();
-            ++count;
-        }
-    });
-    const Matrix3 covariance = squares / count - sum * sum.transpose() / (count * count);
-    return Eigen::SelfAdjointEigenSolver<Matrix3>(covariance).eigenvectors();
 }
 
 /// Where a screw leads a part: along its axis, or a point of the part if the screw only turns.

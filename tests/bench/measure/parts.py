@@ -9,6 +9,7 @@ from typing import Callable
 import from_files
 import overlaps
 import scene_rows
+import tight
 
 FORMS = ("ci", "quick", "full")
 
@@ -231,6 +232,9 @@ PARTS = (
     Part("touching", "parts that touch, from the advised overlap to a path", rows=overlaps.TOUCHING + overlaps.PUZZLES, quick_rows=("plug", "lid"),
          ci_rows=("plug",), commands=lambda place, row: [], table=overlaps.touching, group=("problem",), keys=("problem",),
          shown=("found", "seconds", "lift_seconds")),
+    Part("tight", "parts in tight fits, such as screws in their threads", rows=tight.OWN + tight.BOLTS, quick_rows=("square_peg", "hook"),
+         ci_rows=("square_peg",), commands=lambda place, row: [], table=tight.tight, group=("problem",), keys=("problem",),
+         shown=("found", "seconds", "clearance")),
     Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),

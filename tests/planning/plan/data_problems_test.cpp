@@ -35,8 +35,8 @@ BOOST_AUTO_TEST_CASE(every_problem_of_data_is_read_without_warning_and_its_start
             names.insert(file.stem().string());
         }
     }
-    for (const char* name :
-         {"angle", "apartment", "bracket", "gates", "peg-in-hole", "puzzle", "tunnel-console", "window"}) {
+    for (const char* name : {"angle", "apartment", "bayonet", "bracket", "dovetail", "gates", "peg-in-hole",
+                             "puzzle", "screw", "tunnel-console", "window"}) {
         BOOST_TEST(names.count(name) == 1u, name << " is missing");
     }
 }
