@@ -62,20 +62,45 @@ class TwistTree {
                         const Pose& X_environmentPart);
 
   private:
-    struct Candidate;
-    struct Track;
-    struct Probe;
+    static constexpr double kFreeGap = 0.05;    ///< of half the diagonal of the part's box
+    static constexpr double kWayBack = 0.9;     ///< cosine with the way back, which is not tried
+    static constexpr double kDepthLoss = 0.8;   ///< of a score, for each track from the root
+    static constexpr double kAdvancing = 1e-3;  ///< of a turn: screws that advance less are turns
 
-    /// Directions to try at a pose.
-    struct Directions {
-        std::vector<Twist> open;  ///< leave the gaps open for a while
-        std::vector<Twist>
-            late;  ///< leave them open for no more than a gap; tried when there is nothing else
-    };
     struct Advance {
         double time = 0;  ///< certified
         bool isWhole = false;
     };
+    struct Candidate {
+        Node* node;
+        Screw screw;             ///< moves the part by a twist of length 1 in a unit of time
+        double score = 0;        ///< the share of the part's radius that is certified
+        double certified = 0;    ///< length
+        bool isInwards = false;  ///< the goal comes no nearer
+        bool isReverse = false;  ///< of a direction that certifies much
+    };
+
+    /// A screw that is being followed.
+    struct Track {
+        Node* node;
+        Screw screw;
+        double step;
+        std::size_t first;  ///< how many nodes there were before it
+        double length = 0, sinceBlock = 0;
+        double pulledAt = 0;  ///< the clearance where a pull was tried last
+        int shortAdvances = 0;
+        std::optional<Advance> known{};  ///< of the next step
+        std::vector<Node*> nodes{};
+    };
+
+    /// The places along a track where directions of other tracks are tried.
+    struct Probe {
+        std::vector<Node*> nodes;
+        double length;
+        int count, next = 0, found = 0;
+        double priority;
+    };
+
     double floorFrom(const Node& node) const;
     Advance advance(const Node& from, const Screw& screw) const;
     Node* grow(Node* parent, const Screw& screw, double time);
@@ -85,6 +110,7 @@ class TwistTree {
     double priorityOf(const Candidate& candidate) const;
     void begin(const Candidate& candidate);
     void followOn();
+    static Vector3 headingOf(const Screw& screw, const Vector3& point);
     void reachGoal(const Node* node);
     bool pullOut(Node& node, const Screw& screw);
     void finishTrack();
@@ -93,7 +119,7 @@ class TwistTree {
     bool isOld(const ompl::base::State* state, std::size_t count) const;
     void findClearance(Node& node) const;
     void probe();
-    Directions directionsAt(const Pose& X_environmentPart, const std::vector<ContactRow>& rows);
+    double band() const;
     Twist twistOf(const Screw& screw, const Node& node) const;
     Screw screwOf(const Twist& twist, const Node& node) const;
     double goalDistance(const Node& node) const;
@@ -107,8 +133,8 @@ class TwistTree {
     const bool isFromStart_;
     const MotionValidator* validator_;  ///< null for one that is not clearway's
     const Matrix3 principalAxes_;       ///< in the part's coordinates
-    double play_ = 0;      ///< of the node that is at work
-    double rootPlay_ = 0;  ///< the largest of the roots'
+    double play_ = 0;                   ///< of the node that is at work
+    double rootPlay_ = 0;               ///< the largest of the roots'
     ompl::RNG random_;
     std::vector<std::unique_ptr<Node>> nodes_;
     std::vector<Candidate> unscored_, late_, open_;
