@@ -124,6 +124,30 @@ BOOST_AUTO_TEST_CASE(gradients_agree_with_finite_differences) {
     BOOST_TEST(!distanceGradient(DistanceResult(), {}));
 }
 
+/// Along two faces the pairs of neighbouring triangles are slanted; a step over an edge leads to the pair that is not.
+BOOST_AUTO_TEST_CASE(local_minima_are_among_all_pairs_and_stand_square_to_the_faces) {
+    Random random(6);
+    Workspace workspace;
+    for (int n = 0; n < 20; ++n) {
+        const Model part = Model::build(box(Vector3(1, 2, 3), 3));
+        const Model environment =
+            Model::build(translated(box(Vector3(3, 3, 3), 4), {4.01, random.uniform(-0.3, 0.3), 0.1}));
+        const std::vector<DistanceResult> all = nearPairs(part, environment, {}, 0.1, workspace);
+        const std::vector<DistanceResult> least =
+            nearPairs(part, environment, {}, 0.1, workspace, NearPairs::kLocalMinima);
+        std::set<Ids> ids;
+        for (const DistanceResult& each : all)
+            ids.insert({each.witness->partTriangle, each.witness->environmentTriangle});
+        BOOST_TEST(!least.empty());
+        BOOST_TEST(least.size() < all.size());
+        BOOST_TEST(least[0].distance == all[0].distance);
+        for (const DistanceResult& each : least) {
+            BOOST_TEST(ids.count({each.witness->partTriangle, each.witness->environmentTriangle}) == 1u);
+            BOOST_TEST(std::abs(distanceGradient(each, Vector3::Zero())->translation.x()) > 0.999);
+        }
+    }
+}
+
 }  // namespace
 BOOST_AUTO_TEST_SUITE_END()
 

@@ -1,8 +1,11 @@
 // Screws: poses along them, and what their pieces promise to sweeps.
 #include "planning/improve/screw.h"
 
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include "support/each_target.h"
+#include "support/oracle.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -88,6 +91,44 @@ BOOST_AUTO_TEST_CASE(the_screw_between_two_poses_joins_them) {
         const Pose to = k % 4 == 0 ? movedAlong(drawnScrew(random, 1e-7), from, 1) : random.pose(5);
         BOOST_TEST(apart(movedAlong(screwBetween(from, to), from, 1), to) < 1e-7);
     }
+}
+
+/// The sweep of a screw agrees with the oracle at poses along it, on every instruction set.
+BOOST_DATA_TEST_CASE(sweeps_along_screws_agree_with_the_oracle, testing::eachTarget(), target) {
+    const testing::UsingTarget use(target);
+    constexpr int kPoses = 16;
+    Random random(5);
+    Workspace workspace;
+    int certified = 0, contacts = 0;
+    for (const testing::MeshPair& pair : testing::meshPairs(1)) {
+        if (pair.part.triangles.size() * pair.environment.triangles.size() > 400000) continue;
+        const Model part = Model::build(pair.part), environment = Model::build(pair.environment);
+        const testing::MeshOracle oracle(pair.part, pair.environment);
+        for (int n = 0; n < 6; ++n) {
+            Pose from = random.pose(0.3 * oracle.sceneSize());
+            const Screw screw{random.direction() * random.uniform(0.1, 3),
+                              random.direction() * oracle.sceneSize() * 0.4};
+            const PartMotion motion = motionAlong(screw, from, part);
+            SweepOptions options;
+            options.margin = 0.01 * n * oracle.sceneSize();
+            options.leastInterval = 1e-6 * oracle.sceneSize();
+            const SweepResult found = sweep(part, environment, motion.pieces, options, workspace);
+            const auto distanceAt = [&](double time) {
+                return oracle.distance(movedAlong(screw, from, time)).distance;
+            };
+            if (found.verdict == SweepVerdict::kContact) {
+                ++contacts;
+                BOOST_TEST(distanceAt(*found.contactTime) <=
+                           options.margin * (1 + 1e-9) + 1e-12 * oracle.sceneSize());
+            } else if (found.verdict == SweepVerdict::kCertified) {
+                ++certified;
+                for (int k = 0; k <= kPoses; ++k)
+                    BOOST_REQUIRE(distanceAt(double(k) / kPoses) > options.margin);
+            }
+        }
+    }
+    BOOST_TEST(certified > 5);
+    BOOST_TEST(contacts > 5);
 }
 
 }  // namespace
