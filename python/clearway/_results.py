@@ -189,7 +189,7 @@ class FollowedTrack:
     """The end of a way that the planner for tight fits followed from the start as far as it went."""
 
     obstacle_mesh: str
-    """Of the closest pair there."""
+    """Of the closest pair there; empty where the bounds end the track."""
     part_mesh: str
     """The part's mesh of that pair."""
     is_square: bool
@@ -238,8 +238,8 @@ class WhyNoPath:
             lines.append("%.0f %% of the motions that were stopped: by %s" % (
                 100 * (each.at_start + each.at_goal) / stopped, "'%s'" % each.name if each.name else "the bounds"))
         for track in self.tracks:
-            lines.append("a track of length %.4g ends %s '%s'" % (
-                track.length, "square to" if track.is_square else "beside", track.obstacle_mesh))
+            where = "%s '%s'" % ("square to" if track.is_square else "beside", track.obstacle_mesh)
+            lines.append("a track of length %.4g ends %s" % (track.length, where if track.obstacle_mesh else "at the bounds"))
         lines.append("states reached from start and goal are %.4g apart" % self.displacement)
         return "\n".join(lines)
 

@@ -93,7 +93,9 @@ std::vector<FollowedTrack> tracksOf(const FailedPlanning& failed) {
         if (search == nullptr) continue;
         for (const TwistTree::TrackEnd& end : search->ends()) {
             const MeshNames names = distinctMeshNames(scene, end.contact);
-            tracks.push_back({names.environment, names.part, end.squareness > kSquare, end.length});
+            tracks.push_back(end.isAtBounds ? FollowedTrack{"", "", false, end.length}
+                                            : FollowedTrack{names.environment, names.part,
+                                                            end.squareness > kSquare, end.length});
         }
     }
     return tracks;

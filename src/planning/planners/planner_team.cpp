@@ -68,12 +68,18 @@ struct PlannerTeam::Member {
     void follow(const ob::ProblemDefinition& given) {
         if (!definition || definition->getGoal() != given.getGoal() || !beginsAs(given)) {
             if (definition) planner->clear();
+            isExhausted = false;
             definition = std::make_shared<ob::ProblemDefinition>(given.getSpaceInformation());
             definition->setGoal(given.getGoal());
             planner->setProblemDefinition(definition);
         }
         for (unsigned int i = definition->getStartStateCount(); i < given.getStartStateCount(); ++i)
-            definition->addStartState(given.getStartState(i));
+            addStart(given.getStartState(i));
+    }
+
+    void addStart(const ob::State* state) {
+        definition->addStartState(state);
+        isExhausted = false;
     }
 
     /// Whether the definition's starts are the first ones of the given definition.
@@ -201,7 +207,7 @@ void PlannerTeam::makeMembers() {
     }
 }
 
-/// Where a start or a fixed goal is in a tight fit, a TwistSearch goes first. Elsewhere nothing changes but for the query that tells.
+/// Where the first start or a fixed goal is in a tight fit, a TwistSearch goes first. Elsewhere nothing changes but for the query that tells.
 void PlannerTeam::addTwistSearch() {
     if (twistSearch() != nullptr || pdef_->getStartStateCount() == 0) return;
     const auto* goal = dynamic_cast<const ob::GoalState*>(pdef_->getGoal().get());

@@ -13,7 +13,7 @@ class TwistSearch;
 /// Runs RRTConnect, which is quick where passages are wide, and two SlidingRRTConnect, one with standoffs of its
 /// default range and one with finer ones. RRTConnect restarts after runs whose lengths follow the sequence of Luby,
 /// Sinclair and Zuckerman (Optimal Speedup of Las Vegas Algorithms, 1993), because a run that has not succeeded early
-/// almost never does. A TwistSearch joins them where a start, or a goal of one state, is in a tight fit. The member with the least processor time so far runs next.
+/// almost never does. A TwistSearch joins them where the first start, or a goal of one state, is in a tight fit. The member with the least processor time so far runs next.
 ///
 /// With one thread, slices of work are counted in iterations, so that one seed gives one path whatever else the
 /// machine does. With more threads they are counted in time.

@@ -54,6 +54,7 @@ class TwistSearch::Joint {
 
     bool takeTurn(const std::function<bool()>& isSpent) {
         unsigned int asked = 0;
+        definition_->clearSolutionPaths();
         const ob::PlannerTerminationCondition isOver([&] { return asked++ >= kJoiningTurn || isSpent(); });
         return planner_.solve(isOver) == ob::PlannerStatus::EXACT_SOLUTION;
     }
@@ -89,8 +90,14 @@ TwistSearch::TwistSearch(const ob::SpaceInformationPtr& si) : Planner(si, "Twist
 TwistSearch::~TwistSearch() = default;
 
 void TwistSearch::setup() {
-    Planner::setup();
     if (!parts_) parts_ = std::make_unique<Parts>(si_);
+    Planner::setup();
+}
+
+/// Trees belong to the goal that they were made for.
+void TwistSearch::setProblemDefinition(const ob::ProblemDefinitionPtr& definition) {
+    if (pdef_ && definition != pdef_) clear();
+    Planner::setProblemDefinition(definition);
 }
 
 void TwistSearch::clear() {
@@ -178,7 +185,7 @@ ob::PlannerStatus TwistSearch::solve(const ob::PlannerTerminationCondition& isSp
         return hasStart ? ob::PlannerStatus::INVALID_GOAL : ob::PlannerStatus::INVALID_START;
     }
     while (!isSpent) {
-        bool isLeft = parts.start->work();
+        bool isLeft = parts.start->atGoal() != nullptr || parts.start->work();
         if (parts.start->atGoal() != nullptr) {
             addSolution(parts.start->pathTo(*parts.start->atGoal()));
             return ob::PlannerStatus::EXACT_SOLUTION;
@@ -187,6 +194,8 @@ ob::PlannerStatus TwistSearch::solve(const ob::PlannerTerminationCondition& isSp
         const bool isJoinable = !parts.start->free().empty() && (!parts.goal || !parts.goal->free().empty());
         if (isJoinable && join(isSpent)) return ob::PlannerStatus::EXACT_SOLUTION;
         if (isLeft || isJoinable) continue;
+        const std::size_t goals = parts.goal ? parts.goal->rootCount() : 0;
+        if (goals > 0 && addRoots(isSpent) && parts.goal->rootCount() > goals) continue;
         isExhausted_ = true;
         break;
     }

@@ -27,6 +27,8 @@ class TwistSearch : public ompl::base::Planner {
     /// Plans until there is an exact solution, isSpent is true, or nothing is left to try. Goes on from the trees of a former call.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& isSpent) override;
     void clear() override;
+    /// Forgets the trees of another problem.
+    void setProblemDefinition(const ompl::base::ProblemDefinitionPtr& definition) override;
     void getPlannerData(ompl::base::PlannerData& data) const override;
 
     /// Sets the longest edge of RRTConnect's trees, in OMPL's distance; 0: OMPL's default.

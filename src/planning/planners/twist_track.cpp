@@ -16,6 +16,7 @@ namespace ob = ompl::base;
 constexpr double kShortAdvance = 0.3, kLeastLength = 0.02, kCentreBelow = 0.6;
 
 constexpr double kLeastTrack = 0.1;  ///< of half the diagonal of the part's box; a shorter track is no track
+constexpr double kBeyond = 0.02;     ///< of that, too: the bounds are looked for so far ahead of an end
 constexpr int kMostShortAdvances = 3, kCentreBisections = 7, kCentreTries = 4;
 constexpr double kAcross = 0.5;      ///< of a contact's row: one that acts less across the track is ahead
 constexpr double kBackOff = 0.8;     ///< of what is free ahead of a block
@@ -60,7 +61,7 @@ void TwistTree::followOn() {
         track_.reset();
         return;
     }
-    if (isOld(track.node->state, track.first)) return finishTrack();
+    if (isOld(track.node->state, countBehind(*track.node))) return finishTrack();
     if (track.node->clearance > kWidened * track.pulledAt) {
         track.pulledAt = track.node->clearance;
         if (pullOut(*track.node, track.screw)) return;
@@ -187,6 +188,17 @@ Screw TwistTree::chooseScrew(const Node& node, double wanted) {
     return best;
 }
 
+/// How many nodes there were a radius of the way back: a turn that closes comes to its own beginning.
+std::size_t TwistTree::countBehind(const Node& node) const {
+    const Node* from = &node;
+    double length = 0;
+    while (from->index > track_->first && length < moves_.radius()) {
+        length += from->length;
+        from = from->parent;
+    }
+    return std::max(from->index, track_->first);
+}
+
 /// Whether a state is on one of the first motions, within the most across it.
 bool TwistTree::isOld(const ob::State* state, std::size_t count) const {
     const double most = band();
@@ -204,12 +216,14 @@ bool TwistTree::isOld(const ob::State* state, std::size_t count) const {
 
 void TwistTree::finishTrack() {
     const std::unique_ptr<Track> track = std::move(track_);
-    if (track->length < kShortAdvance * play_) return;
+    if (track->nodes.empty() || track->length < kShortAdvance * play_) return;
     Node& end = *track->node;
     const Twist along = twistOf(track->screw, end).normalized();
     end.depth = track->nodes.front()->parent->depth + 1;
     const SceneDistance nearest = clearance_.distance(end.X_environmentPart);
-    TrackEnd told{nearest, 0, track->length};
+    const ScratchState beyond(*si_);
+    moves_.setPose(movedAlong(track->screw, end.X_environmentPart, kBeyond * moves_.radius()), beyond.get());
+    TrackEnd told{nearest, 0, track->length, !si_->satisfiesBounds(beyond.get())};
     if (const auto plane = contactPlaneOf(nearest, clearance_.scene(), end.X_environmentPart))
         told.squareness = -plane->normal.dot(headingOf(track->screw, nearest.witness->pointOnPart));
     if (track->length > kLeastTrack * moves_.radius()) {

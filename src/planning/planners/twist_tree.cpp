@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 #include <utility>
 
 #include "model/principal_axes.h"
@@ -17,7 +18,8 @@ namespace ob = ompl::base;
 constexpr double kTightGap =
     0.012;  ///< gaps of tight fits were up to .0106, those of other problems from .014 on
 constexpr double kWidestBand = 0.05;
-constexpr double kLeastScore = 0.03;  ///< directions that are free for less lead nowhere
+constexpr double kShortestStep = 2e-3, kFinest = 1e-5;  ///< however small the gap is
+constexpr double kLeastScore = 0.03;                 ///< directions that are free for less lead nowhere
 
 // In gaps of the centred part.
 constexpr double kBand = 3;
@@ -44,6 +46,12 @@ double placeOf(int k) {
     return place;
 }
 
+/// A derived class may judge motions in its own way: null for one.
+const MotionValidator* plainValidatorOf(const ob::SpaceInformation& si) {
+    const auto* validator = dynamic_cast<const MotionValidator*>(si.getMotionValidator().get());
+    return validator != nullptr && typeid(*validator) == typeid(MotionValidator) ? validator : nullptr;
+}
+
 }  // namespace
 
 TwistTree::TwistTree(ob::SpaceInformationPtr si, const SceneClearance& clearance, const PartMoves& moves,
@@ -53,7 +61,7 @@ TwistTree::TwistTree(ob::SpaceInformationPtr si, const SceneClearance& clearance
       moves_(moves),
       goal_(goal),
       isFromStart_(isFromStart),
-      validator_(dynamic_cast<const MotionValidator*>(si_->getMotionValidator().get())),
+      validator_(plainValidatorOf(*si_)),
       principalAxes_(principalAxesOf(clearance.scene().part)) {}
 
 TwistTree::~TwistTree() {
@@ -82,14 +90,16 @@ double TwistTree::goalDistance(const Node& node) const {
 
 void TwistTree::addRoot(const ob::State* state) {
     const Screw none{Vector3::Zero(), Vector3::Zero()};
-    nodes_.push_back(std::make_unique<Node>(
-        Node{si_->cloneState(state), moves_.pose(state), nullptr, none, 0, 0, 0, 0, 0, true, {}}));
+    nodes_.push_back(std::make_unique<Node>(Node{
+        si_->cloneState(state), moves_.pose(state), nullptr, none, nodes_.size(), 0, 0, 0, 0, 0, true, {}}));
     Node& root = *nodes_.back();
     root.toGoal = goalDistance(root);
+    if (goal_ != nullptr && goal_->isSatisfied(root.state)) atGoal_ = &root;
     ++rootCount_;
     findClearance(root);
     play_ = root.play = std::min(kFreeGap * moves_.radius(), root.clearance);
     rootPlay_ = std::max(rootPlay_, play_);
+    if (!(play_ > 0)) return;
     if (root.clearance >= kTightGap * moves_.radius()) {
         free_.push_back(&root);
         return;
@@ -103,8 +113,7 @@ TwistTree::Node* TwistTree::grow(Node* parent, const Screw& screw, double time) 
     const double floor = floorFrom(*parent);
     const double angle = time * screw.angular.norm(),
                  longest = std::min(1.0, kMostTurn / std::max(angle, kMostTurn)),
-                 least =
-                     kContactInterval * play_ /
+                 least = resolution() /
                      (time * motionAlong(screw, parent->X_environmentPart, clearance_.scene().part).length);
     std::vector<ob::State*> states;
     const ob::State* last = parent->state;
@@ -130,8 +139,8 @@ TwistTree::Node* TwistTree::grow(Node* parent, const Screw& screw, double time) 
     ob::State* state = states.back();
     states.pop_back();
     nodes_.push_back(
-        std::make_unique<Node>(Node{state, moves_.pose(state), parent, screw * (done * time), parent->depth,
-                                    0, done * time, play_, 0, done == 1, std::move(states)}));
+        std::make_unique<Node>(Node{state, moves_.pose(state), parent, screw * (done * time), nodes_.size(),
+                                    parent->depth, 0, done * time, play_, 0, done == 1, std::move(states)}));
     Node& node = *nodes_.back();
     node.toGoal = goalDistance(node);
     findClearance(node);
@@ -163,6 +172,11 @@ void TwistTree::findClearance(Node& node) const {
     node.clearance = clearance_.at(node.X_environmentPart, options).lower;
 }
 
+/// How closely it is found where a screw is blocked. Tiny gaps must not make for endless steps.
+double TwistTree::resolution() const {
+    return std::max(kContactInterval * play_, kFinest * moves_.radius());
+}
+
 double TwistTree::band() const {
     return std::min(kBand * play_, kWidestBand * moves_.radius());
 }
@@ -175,7 +189,8 @@ double TwistTree::floorFrom(const Node& node) const {
 /// Looks at poses in steps: a sweep would cost as much as the certificate of the motions, which follows.
 TwistTree::Advance TwistTree::advance(const Node& from, const Screw& screw) const {
     const double speed = motionAlong(screw, from.X_environmentPart, clearance_.scene().part).length;
-    const double floor = floorFrom(from), step = std::min(1.0, kStep * play_ / speed);
+    const double floor = floorFrom(from);
+    const double step = std::min(1.0, std::max(kStep * play_, kShortestStep * moves_.radius()) / speed);
     const ScratchState at(*si_);
     ClearanceOptions asked;
     asked.cap = floor;
@@ -191,7 +206,7 @@ TwistTree::Advance TwistTree::advance(const Node& from, const Screw& screw) cons
         if (blocked == 1) return {1, true};
         blocked = std::min(1.0, blocked + step);
     }
-    while ((blocked - free) * speed > kContactInterval * play_) {
+    while ((blocked - free) * speed > resolution()) {
         const double middle = 0.5 * (free + blocked);
         (isFreeAt(middle) ? free : blocked) = middle;
     }

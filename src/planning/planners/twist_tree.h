@@ -54,6 +54,7 @@ class TwistTree {
         SceneDistance contact;  ///< the closest pair there
         double squareness;  ///< cosine of the angle between the track and the contact's normal; 1: head on
         double length;      ///< of the track, as twists measure it
+        bool isAtBounds;    ///< the bounds end the track, not the contact
     };
     const std::vector<TrackEnd>& ends() const { return ends_; }
 
@@ -120,6 +121,8 @@ class TwistTree {
     void findClearance(Node& node) const;
     void probe();
     double band() const;
+    double resolution() const;
+    std::size_t countBehind(const Node& node) const;
     Twist twistOf(const Screw& screw, const Node& node) const;
     Screw screwOf(const Twist& twist, const Node& node) const;
     double goalDistance(const Node& node) const;
@@ -151,13 +154,14 @@ struct TwistTree::Node {
     ompl::base::State* state;
     Pose X_environmentPart;
     Node* parent;
-    Screw screw;       ///< from the parent, for a unit of time
-    int depth;         ///< tracks from the root
-    double toGoal;     ///< the goal's distance; 0 without a goal
-    double length;     ///< of the way from the parent
-    double play;       ///< the gap that a centred part has there
-    double clearance;  ///< the part has at least this there
-    bool isWhole;      ///< the screw from the parent was followed as far as wanted
+    Screw screw;        ///< from the parent, for a unit of time
+    std::size_t index;  ///< among all nodes
+    int depth;          ///< tracks from the root
+    double toGoal;      ///< the goal's distance; 0 without a goal
+    double length;      ///< of the way from the parent
+    double play;        ///< the gap that a centred part has there
+    double clearance;   ///< the part has at least this there
+    bool isWhole;       ///< the screw from the parent was followed as far as wanted
     std::vector<ompl::base::State*>
         states;  ///< between the parent and this one; OMPL's motions between them are valid
 };

@@ -47,11 +47,11 @@ std::pair<std::string, std::string> parameterOf(const std::string& text) {
 }
 
 void addPlannerOptions(CommandLine& line, planning::PlanOptions& plan) {
-    line.option(
-        "--planner NAME",
-        "OMPL's class name, in any case, SlidingRRTConnect, PlannerTeam or RisingFloor (PlannerTeam; with an "
-        "objective of clearance RisingFloor or AnytimePathShortening)",
-        [&](const std::string& name) { plan.planner = planning::plannerClassName(name); });
+    line.option("--planner NAME",
+                "OMPL's class name, in any case, SlidingRRTConnect, TwistSearch, PlannerTeam or RisingFloor "
+                "(PlannerTeam; "
+                "with an objective of clearance RisingFloor or AnytimePathShortening)",
+                [&](const std::string& name) { plan.planner = planning::plannerClassName(name); });
     line.option(
         "--planner-param K=V", "sets one of the planner's parameters; may be repeated",
         [&](const std::string& text) { plan.parameters.push_back(parameterOf(text)); },

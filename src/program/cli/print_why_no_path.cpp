@@ -87,8 +87,10 @@ void printTracks(const WhyNoPath& why) {
     if (why.tracks.empty()) return;
     std::vector<std::pair<std::string, std::size_t>> ends;
     for (const planning::FollowedTrack& track : why.tracks) {
-        const std::string end = std::string(track.isSquare ? "square to" : "beside") + " '" +
-                                track.obstacleMesh + "' (the part's '" + track.partMesh + "')";
+        const std::string end = track.obstacleMesh.empty()
+                                    ? "at the bounds"
+                                    : std::string(track.isSquare ? "square to" : "beside") + " '" +
+                                          track.obstacleMesh + "' (the part's '" + track.partMesh + "')";
         const auto known =
             std::find_if(ends.begin(), ends.end(), [&](const auto& each) { return each.first == end; });
         known == ends.end() ? ends.push_back({end, 1}) : void(++known->second);

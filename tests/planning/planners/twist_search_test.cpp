@@ -237,6 +237,38 @@ BOOST_AUTO_TEST_CASE(any_of_several_starts_will_do_and_an_invalid_one_is_passed_
     BOOST_TEST((planner->solve(after(20000)) == ob::PlannerStatus::EXACT_SOLUTION));
 }
 
+/// A turn that closes is no way out, however long it is.
+BOOST_AUTO_TEST_CASE(a_part_that_only_spins_leaves_nothing_to_try) {
+    const OmplMessages quiet;
+    const OmplTask task({"spin", testing::tube(1, 3, 1, 32), testing::box(Vector3(3.02, 3.02, 0.52))});
+    task.definition->addStartState(task.at(Vector3::Zero()));
+    const auto planner = task.planner<TwistSearch>();
+    BOOST_TEST((planner->solve(after(100000)) == ob::PlannerStatus::TIMEOUT));
+    BOOST_TEST(planner->isExhausted());
+}
+
+/// A gap of rounding, as between faces of CAD, takes no more steps than a wider one.
+BOOST_AUTO_TEST_CASE(tiny_gaps_do_not_make_for_tiny_steps) {
+    const OmplMessages quiet;
+    for (const double gap : {1e-7, 1e-12}) {
+        const OmplTask task({"lying", testing::box(Vector3(2, 2, 1)),
+                             testing::translated(testing::box(Vector3(9, 9, 1)), {0, 0, -2 - gap})});
+        task.definition->addStartState(task.at(Vector3::Zero()));
+        const auto planner = task.planner<TwistSearch>();
+        BOOST_TEST((planner->solve(after(300)) == ob::PlannerStatus::EXACT_SOLUTION));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_start_outside_is_the_path) {
+    const OmplMessages quiet;
+    const OmplTask task(tightProblem("square_peg"));
+    const auto& bounds = task.si->getStateSpace()->as<ob::SE3StateSpace>()->getBounds();
+    task.definition->addStartState(task.at({bounds.high[0], bounds.high[1], bounds.high[2]}));
+    BOOST_REQUIRE(task.definition->getGoal()->isSatisfied(task.definition->getStartState(0)));
+    BOOST_TEST((task.planner<TwistSearch>()->solve(after(100)) == ob::PlannerStatus::EXACT_SOLUTION));
+    BOOST_TEST(task.solution().size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(all_motions_of_the_planner_data_are_valid) {
     const OmplMessages quiet;
     const OmplTask task(tightProblem("hook"));
