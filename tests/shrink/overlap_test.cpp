@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "support/assembled_problems.h"
 #include "support/oracle.h"
 #include "support/random_meshes.h"
-#include "support/assembled_problems.h"
 #include "support/winding.h"
 
 namespace clearway::testing {

@@ -108,7 +108,7 @@ std::vector<AssembledProblem> touchingProblems() {
 }
 
 std::string writeAssembledProblem(const AssembledProblem& problem, const std::string& folder,
-                                 const std::string& keys) {
+                                  const std::string& keys) {
     const std::string stem = folder + "/" + problem.name;
     saveMesh(problem.part, stem + "_part.obj");
     saveMesh(problem.environment, stem + "_environment.obj");

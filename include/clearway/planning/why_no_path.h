@@ -73,8 +73,9 @@ struct NearestMiss {
 
 /// The end of a way that the planner for tight fits followed from the start as far as it went.
 struct FollowedTrack {
-    std::string obstacleMesh;  ///< of the closest pair there, see meshNames; empty where the bounds end the track
-    std::string partMesh;      ///< the part's mesh of that pair
+    std::string
+        obstacleMesh;      ///< of the closest pair there, see meshNames; empty where the bounds end the track
+    std::string partMesh;  ///< the part's mesh of that pair
     bool isSquare =
         false;  ///< the contact's normal is within 25 degrees of the track: nothing beside it gives way
     double length =

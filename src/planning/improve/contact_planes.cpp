@@ -45,8 +45,7 @@ std::vector<ContactRow> rowsNear(const SceneClearance& clearance, const PartMove
     constexpr std::size_t kMostRows = 150;
     const ContactsAt ignoring = clearance.contactsAt(X_environmentPart);
     std::vector<ContactRow> rows;
-    for (const SceneDistance& pair :
-         clearance.nearPairs(X_environmentPart, band, NearPairs::kLocalMinima)) {
+    for (const SceneDistance& pair : clearance.nearPairs(X_environmentPart, band, NearPairs::kLocalMinima)) {
         const Obstacle& obstacle = clearance.scene().obstacles[*pair.obstacle];
         if ((ignoring.isInStart && obstacle.isIgnoredAtStart) ||
             (ignoring.isInGoal && obstacle.isIgnoredAtGoal))

@@ -19,7 +19,7 @@ constexpr double kTightGap =
     0.012;  ///< gaps of tight fits were up to .0106, those of other problems from .014 on
 constexpr double kWidestBand = 0.05;
 constexpr double kShortestStep = 2e-3, kFinest = 1e-5;  ///< however small the gap is
-constexpr double kLeastScore = 0.03;                 ///< directions that are free for less lead nowhere
+constexpr double kLeastScore = 0.03;                    ///< directions that are free for less lead nowhere
 
 // In gaps of the centred part.
 constexpr double kBand = 3;
@@ -113,7 +113,8 @@ TwistTree::Node* TwistTree::grow(Node* parent, const Screw& screw, double time) 
     const double floor = floorFrom(*parent);
     const double angle = time * screw.angular.norm(),
                  longest = std::min(1.0, kMostTurn / std::max(angle, kMostTurn)),
-                 least = resolution() /
+                 least =
+                     resolution() /
                      (time * motionAlong(screw, parent->X_environmentPart, clearance_.scene().part).length);
     std::vector<ob::State*> states;
     const ob::State* last = parent->state;
