@@ -189,7 +189,7 @@ class FollowedTrack:
     """The end of a way that the planner for tight fits followed from the start as far as it went."""
 
     obstacle_mesh: str
-    """Of the closest pair there; empty where the bounds end the track."""
+    """The obstacle's mesh in the closest pair there; empty where the bounds end the track."""
     part_mesh: str
     """The part's mesh of that pair."""
     is_square: bool
@@ -213,7 +213,7 @@ class WhyNoPath:
     blockers: Tuple[Blocker, ...]
     """The obstacles and bounds that stopped them, most first."""
     tracks: Tuple[FollowedTrack, ...]
-    """Of the planner for tight fits, where it took part."""
+    """The tracks of the planner for tight fits, where it took part."""
     nearest_states: Floats
     """(N, 7): the way from the start to the goal on which only the motion from state [gap] to the next is not valid."""
     gap: int

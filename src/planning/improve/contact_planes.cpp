@@ -8,7 +8,7 @@
 namespace clearway::planning {
 namespace {
 
-/// Of the rows whose numbers lie in one cell of a grid keeps the first.
+/// Keeps the first of the rows whose numbers lie in one cell of a grid.
 void thin(std::vector<ContactRow>& rows, double cell) {
     std::set<std::array<int, 6>> taken;
     const auto isLikeOther = [&](const ContactRow& row) {

@@ -19,7 +19,6 @@ constexpr double kLeastTrack = 0.1;  ///< of half the diagonal of the part's box
 constexpr double kBeyond = 0.02;     ///< of that, too: the bounds are looked for so far ahead of an end
 constexpr int kMostShortAdvances = 3, kCentreBisections = 7, kCentreTries = 4;
 constexpr double kAcross = 0.5;      ///< of a contact's row: one that acts less across the track is ahead
-constexpr double kBackOff = 0.8;     ///< of what is free ahead of a block
 constexpr double kWider = 3;         ///< last advances that the next screw is chosen by
 constexpr double kWidened = 1.5;     ///< times the clearance where a pull was tried last
 constexpr double kMostSecant = 2.5;  ///< radians
@@ -114,7 +113,7 @@ bool TwistTree::pullOut(Node& node, const Screw& screw) {
     return true;
 }
 
-/// Raises the least gap across the track, to first order, and takes the move if it does so truly.
+/// Moves the part across the track so that its least gap grows most, to first order; the move is taken only if the clearance grows.
 TwistTree::Node* TwistTree::centre(Node* node, const Twist& along) {
     const double most = band();
     std::vector<ContactRow> rows = rowsNear(clearance_, moves_, node->X_environmentPart, most);
@@ -144,7 +143,7 @@ TwistTree::Node* TwistTree::centre(Node* node, const Twist& along) {
     ClearanceOptions options;
     options.cap = most;
     options.isRough = true;
-    for (int k = 0; k < kCentreTries && best.norm() > 0.02 * play_; ++k, best *= 0.5) {
+    for (int k = 0; k < kCentreTries && best.norm() > kLeastLength * play_; ++k, best *= 0.5) {
         const Screw screw = screwOf(best, *node);
         const Pose to = movedAlong(screw, node->X_environmentPart, 1);
         const double reached = clearance_.at(to, options).lower;
@@ -199,9 +198,9 @@ std::size_t TwistTree::countBehind(const Node& node) const {
     return std::max(from->index, track_->first);
 }
 
-/// Whether a state is on one of the first motions, within the most across it.
+/// Whether a state is on one of the first motions, within half the band across it.
 bool TwistTree::isOld(const ob::State* state, std::size_t count) const {
-    const double most = band();
+    const double widest = 0.5 * band();
     for (std::size_t i = 0; i < count; ++i) {
         const Node& other = *nodes_[i];
         if (other.parent == nullptr || other.length == 0) continue;
@@ -209,7 +208,7 @@ bool TwistTree::isOld(const ob::State* state, std::size_t count) const {
         const Twist here = moves_.between(other.parent->state, state);
         const double length = way.norm(), along = length > 0 ? here.dot(way) / length : -1;
         if (along < 0 || along > length) continue;
-        if ((here - along / length * way).norm() < 0.5 * most) return true;
+        if ((here - along / length * way).norm() < widest) return true;
     }
     return false;
 }

@@ -251,21 +251,16 @@ void TwistTree::score(const Candidate& candidate) {
     const double length = moves_.radius();
     const Advance found = advance(*candidate.node, candidate.screw * length);
     Candidate scored = candidate;
-    scored.certified = (found.isWhole ? 1 : kBackOff) * found.time * length;
-    if (scored.certified < std::min(kLeastScore * length, kLeastFree * play_)) return;
+    scored.length = (found.isWhole ? 1 : kBackOff) * found.time * length;
+    if (scored.length < std::min(kLeastScore * length, kLeastFree * play_)) return;
     if (!candidate.isReverse) unscored_.push_back({candidate.node, candidate.screw * -1, 0, 0, false, true});
     scored.score = found.time;
+    const ScratchState end(*si_);
+    moves_.setPose(movedAlong(candidate.screw, candidate.node->X_environmentPart, scored.length), end.get());
     if (goal_ != nullptr) {
-        const ScratchState end(*si_);
-        moves_.setPose(movedAlong(candidate.screw, candidate.node->X_environmentPart, scored.certified),
-                       end.get());
-        double distance = 0;
-        if (goal_->isSatisfied(end.get(), &distance)) return begin(scored);
+        if (goal_->isSatisfied(end.get())) return begin(scored);
         scored.isInwards = !leadsNearer(candidate);
     }
-    const ScratchState end(*si_);
-    moves_.setPose(movedAlong(candidate.screw, candidate.node->X_environmentPart, scored.certified),
-                   end.get());
     if (isOld(end.get(), nodes_.size())) return;
     // Where one way along a track is open, so is often the other, though the direction is not known well enough to show it.
     for (Candidate& other : open_) {
@@ -298,8 +293,7 @@ double TwistTree::priorityOf(const Candidate& candidate) const {
 
 void TwistTree::begin(const Candidate& candidate) {
     play_ = candidate.node->play;
-    track_ =
-        std::make_unique<Track>(Track{candidate.node, candidate.screw, candidate.certified, nodes_.size()});
+    track_ = std::make_unique<Track>(Track{candidate.node, candidate.screw, candidate.length, nodes_.size()});
 }
 
 bool TwistTree::work() {

@@ -17,7 +17,7 @@
 
 namespace clearway::planning {
 
-/// Grows from roots in tight fits along screws that the contacts nearby leave open, each followed as far as it is certified. Works in
+/// Grows from roots in tight fits along screws that the contacts nearby leave open, each followed as far as OMPL's motions along it are valid. Works in
 /// small steps, so that planners can take turns.
 class TwistTree {
   public:
@@ -64,21 +64,22 @@ class TwistTree {
 
   private:
     static constexpr double kFreeGap = 0.05;    ///< of half the diagonal of the part's box
+    static constexpr double kBackOff = 0.8;     ///< of what is free ahead of a block
     static constexpr double kWayBack = 0.9;     ///< cosine with the way back, which is not tried
     static constexpr double kDepthLoss = 0.8;   ///< of a score, for each track from the root
     static constexpr double kAdvancing = 1e-3;  ///< of a turn: screws that advance less are turns
 
     struct Advance {
-        double time = 0;  ///< certified
+        double time = 0;  ///< how far the screw is free at the poses that were looked at
         bool isWhole = false;
     };
     struct Candidate {
         Node* node;
         Screw screw;             ///< moves the part by a twist of length 1 in a unit of time
-        double score = 0;        ///< the share of the part's radius that is certified
-        double certified = 0;    ///< length
+        double score = 0;        ///< the share of the part's radius that is free
+        double length = 0;       ///< length to begin with
         bool isInwards = false;  ///< the goal comes no nearer
-        bool isReverse = false;  ///< of a direction that certifies much
+        bool isReverse = false;  ///< reverses a direction that was tried
     };
 
     /// A screw that is being followed.
