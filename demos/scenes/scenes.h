@@ -104,6 +104,14 @@ constexpr SceneOptions kPuzzle{1, 2000, 2000, 2};  // clearance 0.1 to 10 mm
 GeneratedScene makePuzzle(const SceneOptions& options);
 GeneratedScene makePuzzle2(const SceneOptions& options);
 
+/// A box passes the windows of three walls, which stand aside of each other. The walls of `sheets` are 2 mm thick, those of `slabs`
+/// 40 mm, and nothing else differs: both have equally many triangles, about as many in each face. The path does not turn the part;
+/// in a window it leaves the clearance and a hundredth more on all sides. problem.fineness is half a wall's thickness. The seed varies
+/// nothing. An environment has 1200 triangles or more.
+constexpr SceneOptions kSheets{1, 20000, 60000, 25};  // clearance 1 to 30 mm
+GeneratedScene makeSheets(const SceneOptions& options);
+GeneratedScene makeSlabs(const SceneOptions& options);
+
 /// A centre console is threaded out of the bent tunnel it just fits. Part and tunnel are swept along one
 /// screw (see Screw), so that the part can be turned out of the tunnel at a constant gap: at least the
 /// clearance, and less than half as much more as long as the part is in one of the ribs. The path is that
@@ -138,6 +146,8 @@ inline constexpr NamedScene kScenes[] = {
     {"puzzle-2", "two interlocked bent bars as in puzzle-1, but with open loops", kPuzzle, makePuzzle2},
     {"peg-in-hole-1", "a round peg to be put into a hole, as narrow as the clearance says", kPegInHole,
      makePegInHole},
+    {"sheets-1", "a box that passes the windows of three walls of thin sheet", kSheets, makeSheets},
+    {"slabs-1", "the walls of sheets-1 as thick slabs", kSheets, makeSlabs},
     {"apartment-1",
      "a piano to be carried through two doors and a corridor",
      kApartment,

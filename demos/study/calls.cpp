@@ -20,8 +20,7 @@ struct NamedKind {
 constexpr NamedKind kKinds[] = {{CallKind::kState, "state", 1},
                                 {CallKind::kClearance, "clearance", 1},
                                 {CallKind::kMotion, "motion", 2},
-                                {CallKind::kForwardMotion, "forward", 2},
-                                {CallKind::kMotionCost, "cost", 2}};
+                                {CallKind::kForwardMotion, "forward", 2}};
 
 const NamedKind& rowOf(CallKind kind) {
     for (const NamedKind& row : kKinds) {

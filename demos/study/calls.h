@@ -13,7 +13,6 @@ enum class CallKind {
     kClearance,      ///< ValidityChecker::isValid that also returns the clearance
     kMotion,         ///< MotionValidator::checkMotion
     kForwardMotion,  ///< MotionValidator::checkMotion that also returns the last valid state
-    kMotionCost,     ///< a clearance objective's motionCost
 };
 
 /// A call with its states, each given by the real numbers that make up the state in OMPL's space.

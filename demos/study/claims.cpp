@@ -89,9 +89,9 @@ std::vector<double> valuesOf(const TreeRow& row, TreeMeasure measure) {
 PairedRatio ratioOf(const Claim& claim, const TreeRow& a, const TreeRow& b) {
     std::vector<double> over = valuesOf(a, claim.measure), under = valuesOf(b, claim.measure);
     if (claim.measure == kDistances || claim.measure == kCollisions) std::swap(over, under);
-    std::vector<std::vector<double>> ratios;
+    std::vector<double> ratios;
     for (std::size_t i = 0; i < over.size() && i < under.size(); ++i) {
-        if (over[i] > 0 && under[i] > 0) ratios.push_back({over[i] / under[i]});
+        if (over[i] > 0 && under[i] > 0) ratios.push_back(over[i] / under[i]);
     }
     return pairedRatio(ratios);
 }
@@ -114,21 +114,7 @@ Measure thesisRatio(const Claim& claim, const std::string& scene) {
     return a && b ? Measure(*a / *b) : std::nullopt;
 }
 
-std::string percentOff(double ratio) {
-    return std::to_string(std::lround(100 * (ratio - 1))) + " %";
-}
-
 }  // namespace
-
-std::string claimRule() {
-    return "Claims: a ratio is the median over 20 blocks of poses; build seconds, memory and leaves have one "
-           "value each.\nThe first has more, or less, when the whole 95 % interval is on one side of 1 and "
-           "the ratio is at least " +
-           percentOff(kLeastDifference) + " off (build seconds " + percentOff(kLeastBuildDifference) +
-           ").\nThere is no difference when the interval stays within " + percentOff(kAlike) +
-           " of 1 (build seconds " + percentOff(kLeastBuildDifference) +
-           "). Otherwise the claim is undecided.";
-}
 
 Columns<ClaimRow> claimColumns() {
     using Row = ClaimRow;

@@ -10,9 +10,6 @@
 
 namespace clearway::study {
 
-/// The rule by which claims are judged, for people to read.
-std::string claimRule();
-
 /// A row of claims.csv: the ratio of a measure between the claim's two kinds of trees, and the verdict. A
 /// claim that one kind is faster or more gets "holds", "no difference", "the opposite" or "undecided". A
 /// claim that both are alike gets "holds", "the first is faster", "the first is slower" or "undecided".

@@ -49,14 +49,6 @@ std::string textOf(const PartState& state) {
     return textOf(state.position) + textOf(state.rotation.coeffs());
 }
 
-std::string durationText(double seconds) {
-    const auto whole = static_cast<long long>(std::ceil(seconds));
-    if (whole < 120) return fmt::format("{} s", whole);
-    const long long minutes = (whole + 59) / 60;
-    if (minutes < 120) return fmt::format("{} min", minutes);
-    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
-}
-
 std::string goalText(const Problem& problem) {
     if (!problem.outside) return textOf(problem.goal);
     return " outside" + (problem.outside->side ? nameOf(*problem.outside->side) : "");
@@ -70,6 +62,7 @@ BuildOptions Engine::build() const {
     options.leafSplit = leafSplit;
     options.leafSize = leafSize;
     options.nodeWidth = nodeWidth;
+    options.threads = 1;  // a worker has one processor
     return options;
 }
 
@@ -90,31 +83,39 @@ bool Engine::operator==(const Engine& other) const {
     return sharesTreesWith(other) && instructions == other.instructions;
 }
 
-std::vector<EngineGroup> plannedGroups(const StudyOptions& options) {
-    std::vector<EngineGroup> groups;
-    for (const std::string& general : options.generalSplits) groups.push_back(groupOf(options, general));
-    return groups;
+std::vector<Engine> plannedEngines(const StudyOptions& options) {
+    std::vector<Engine> engines;
+    for (const std::string& general : options.generalSplits) {
+        const EngineGroup group = groupOf(options, general);
+        engines.insert(engines.end(), group.begin(), group.end());
+    }
+    return engines;
+}
+
+Engine qualifyingEngine(const StudyOptions& options) {
+    return groupOf(options, options.generalSplits.back()).front();
 }
 
 std::vector<EngineGroup> replayedGroups(const StudyOptions& options) {
-    std::vector<std::string> others = availableTargets();
-    others.erase(others.begin());  // the first is the best one, which the planned engines use
-    others.erase(std::remove(others.begin(), others.end(), "scalar"), others.end());
-    std::vector<std::string> varied = options.generalSplits;
-    if (options.isShort) varied = {varied.back()};
-
-    std::vector<EngineGroup> groups;
-    for (const EngineGroup& planned : plannedGroups(options)) {
-        groups.push_back(planned);
-        if (planned[0].generalSplit != varied.back() && options.isShort) continue;
-        for (const std::string& target : others)
-            groups.push_back(changed(planned, &Engine::instructions, target));
+    const EngineGroup planned = plannedEngines(options);
+    if (options.isShort) return {planned};
+    EngineGroup onAllTargets = planned;
+    const std::vector<std::string> targets = availableTargets();
+    for (std::size_t i = 1; i < targets.size();
+         ++i) {  // the first is the best one, which the planned engines use
+        if (targets[i] == "scalar") continue;
+        for (const Engine& engine : changed(planned, &Engine::instructions, targets[i]))
+            onAllTargets.push_back(engine);
     }
-    groups.push_back(groupOf(options, "mean"));
-    for (const std::string& general : varied) {
-        for (const int size : {8, 16})
-            groups.push_back(changed(groupOf(options, general), &Engine::leafSize, size));
-        groups.push_back(changed(groupOf(options, general), &Engine::nodeWidth, 2));
+    std::vector<EngineGroup> groups = {onAllTargets};
+    for (const std::string& general : options.generalSplits) {
+        const EngineGroup group = groupOf(options, general);
+        EngineGroup sized = group;  // "cost" makes leaves of up to 4 whatever the leaf size
+        sized.erase(std::remove_if(sized.begin(), sized.end(),
+                                   [](const Engine& engine) { return engine.leafSplit == "cost"; }),
+                    sized.end());
+        for (const int size : {8, 16}) groups.push_back(changed(sized, &Engine::leafSize, size));
+        groups.push_back(changed(group, &Engine::nodeWidth, 2));
     }
     return groups;
 }
@@ -137,29 +138,19 @@ std::string StudyProblem::fingerprint() const {
     return text + textOf(problem.start) + goalText(problem) + textOf(bounds.min()) + textOf(bounds.max());
 }
 
-Scene buildScene(const StudyProblem& study, const Engine& engine, const StudyOptions& options) {
-    const Model part = options.build(study.part, engine.build(), std::nullopt);
+Scene buildScene(const StudyProblem& study, const Engine& engine) {
+    const Model part = Model::build(study.part, engine.build());
     planning::PlanOptions reaching;
     reaching.objective = "max_min_clearance";
     const auto range =
         planning::planningRange(study.problem, reaching, part, study.obstacles.environmentBox());
     std::vector<std::shared_ptr<const ShrunkModel>> shrunk;
-    for (const ShrunkPart& each : study.shrunk) {
-        shrunk.push_back(shrunkModel(each, options.build(each.mesh, engine.build(), std::nullopt)));
-    }
+    for (const ShrunkPart& each : study.shrunk)
+        shrunk.push_back(shrunkModel(each, Model::build(each.mesh, engine.build())));
     return makeScene(
         part, study.partSolids, study.obstacles, study.problem.rules, poseOf(study.problem.start),
         poseOf(study.problem.goal),
-        [&](const Mesh& mesh) { return options.build(mesh, engine.build(), range); }, shrunk);
-}
-
-TimeLeft::TimeLeft(std::size_t pieces, double mostEach)
-    : pieces_(pieces), mostEach_(mostEach), begin_(Clock::now()) {}
-
-std::string TimeLeft::text() const {
-    const double each = done_ > 0 ? secondsSince(begin_) / static_cast<double>(done_) : mostEach_;
-    return (done_ > 0 ? "about " : "at most ") + durationText(each * static_cast<double>(pieces_ - done_)) +
-           " left";
+        [&](const Mesh& mesh) { return Model::build(mesh, engine.build(), range); }, shrunk);
 }
 
 }  // namespace clearway::study

@@ -12,46 +12,36 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "clearway/scene.h"
-#include "core/clock.h"
 #include "demos/study/calls.h"
 #include "program/bench/table.h"
 
 namespace clearway::study {
 
-struct StudyPlanner {
-    std::string name;  ///< OMPL's class
-    std::string
-        objective;  ///< one of objectiveNames(); empty: the first path, or the planner's own objective
-};
-
-struct StudyRun;
-
 struct StudyOptions {
-    std::vector<StudyPlanner> planners = {
-        {"RRTConnect", ""}, {"KPIECE1", ""}, {"PRM", ""}, {"RRTstar", ""}, {"BITstar", "max_min_clearance"}};
-    std::vector<std::string> generalSplits = {"axis", "sah"};
-    /// Leaf splits after the first are compared with the first.
-    std::vector<std::string> leafSplits = {"none", "chain", "edge", "all"};
-    int seeds = 10;       ///< the seeds 1 to this, for each planner with each strategy
-    double seconds = 20;  ///< for each run
-    double megabytes = 8192;
+    /// OMPL's and clearway's classes. They plan for a first path; a run ends with it.
+    std::vector<std::string> planners = {
+        "RRTConnect", "SlidingRRTConnect", "KPIECE1", "PRM",
+        "RRTstar",    "BITstar",           "LazyPRM", "AnytimePathShortening"};
+    std::vector<std::string> generalSplits = {"axis", "mean", "sah"};
+    std::vector<std::string> leafSplits = {"none", "chain", "edge", "all", "cost"};
+    int seeds = 10;                 ///< the seeds 1 to this, for each planner and problem
+    double qualifyingSeconds = 10;  ///< limit of each qualifying run
+    double mostMedian = 1;          ///< seconds; a planner with a larger median does not enter a problem
+    double leastLimit = 0.2;        ///< seconds; below it, a busy system could end a run before its path
+    double minutes = 100;     ///< for the whole study; slow cells are left out where they would take more
+    double megabytes = 8192;  ///< memory growth limit of a process while planners run
     CallSampling sampling;
-    int repetitions = 7;  ///< of each replay
-    /// True: other leaf sizes and instruction sets are replayed with one general split only.
+    int recordedSeeds = 2;  ///< the seeds 1 to this leave samples of their calls
+    int repetitions = 5;    ///< of each replay
+    int loads = 3;          ///< of each scene's files, and builds of each tree; the median counts
+    /// True: other leaf sizes, widths and instruction sets are not replayed.
     bool isShort = false;
     int tablePoses = 1000;
-    /// Builds each model. A cache calls buildCached here.
-    std::function<Model(const Mesh& mesh, const BuildOptions& options,
-                        const std::optional<QueryRange>& range)>
-        build = Model::build;
+    std::size_t jobs =
+        0;  ///< processes that measure, each on a processor of its own; 0: one for each processor
 
     std::function<bool()> isStopped;
     std::function<void(const std::string&)> tell;  ///< takes one line
-    /// Takes the place of doing the planners' runs here, which are given by their numbers (see plannedRuns()): gives each one
-    /// that ends to `keep`. Returns whether it has all of them.
-    std::function<bool(const std::vector<std::size_t>& runs,
-                       const std::function<void(const StudyRun&)>& keep)>
-        doRuns;
 
     bool mustStop() const { return isStopped && isStopped(); }
     void report(const std::string& line) const {
@@ -76,15 +66,17 @@ struct Engine {
     bool operator==(const Engine& other) const;
 };
 
-/// Engines that differ in the leaf split alone. The first engine is the baseline of the others.
+/// Engines that are compared with each other.
 using EngineGroup = std::vector<Engine>;
 
-/// The engines that planners are run with, a group for each general split.
-std::vector<EngineGroup> plannedGroups(const StudyOptions& options);
+/// The engines that planners are run with, one general split after the other.
+std::vector<Engine> plannedEngines(const StudyOptions& options);
 
-/// The engines that recorded calls are replayed with: the planned ones, MeanSplit, leaves of up to 8 and 16,
-/// the machine's other vector instruction sets, and nodes of two children. Groups that share trees follow
-/// each other.
+/// The tree that planners qualify with: the last general split with the first leaf split.
+Engine qualifyingEngine(const StudyOptions& options);
+
+/// The engines that recorded calls are replayed with, a group at a time: first all planned ones on each of the machine's vector
+/// instruction sets, then for each general split leaves of up to 8 and 16, and nodes of two children.
 std::vector<EngineGroup> replayedGroups(const StudyOptions& options);
 
 struct StudyProblem {
@@ -102,27 +94,7 @@ struct StudyProblem {
 };
 
 /// Builds the scene. The environment's range suffices for planning, also with a clearance objective.
-Scene buildScene(const StudyProblem& problem, const Engine& engine, const StudyOptions& options);
-
-/// Estimates how long the remaining pieces of work take, when all pieces take equally long.
-class TimeLeft {
-  public:
-    /// mostEach: the most seconds that a piece can take, for the estimate before the first piece is done.
-    TimeLeft(std::size_t pieces, double mostEach);
-
-    void step() { ++done_; }
-    std::size_t done() const { return done_; }
-    std::size_t all() const { return pieces_; }
-
-    /// "about 12 min left", "at most 3 h 20 min left".
-    std::string text() const;
-
-  private:
-    std::size_t pieces_;
-    double mostEach_;
-    std::size_t done_ = 0;
-    Clock::time_point begin_;
-};
+Scene buildScene(const StudyProblem& problem, const Engine& engine);
 
 /// The columns general_split, leaf_size, node_width, instructions and leaf_split of an engine's rows.
 template <class Row>

@@ -4,8 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "clearway/planning/clearance_objectives.h"
-
 namespace clearway::study {
 namespace {
 
@@ -62,37 +60,7 @@ class RecordingValidator : public planning::MotionValidator {
     Recorder& recorder_;
 };
 
-template <class Objective>
-class RecordingObjective : public Objective {
-  public:
-    RecordingObjective(Recorder& recorder, const ob::SpaceInformationPtr& si,
-                       const planning::SharedScene& scene)
-        : Objective(si, scene), recorder_(recorder) {}
-
-    ob::Cost stateCost(const ob::State* state) const override {
-        return recorder_.time([&] { return Objective::stateCost(state); });
-    }
-    ob::Cost motionCost(const ob::State* s1, const ob::State* s2) const override {
-        return recorder_.record(CallKind::kMotionCost, s1, s2, [&] { return Objective::motionCost(s1, s2); });
-    }
-
-  private:
-    Recorder& recorder_;
-};
-
-/// Replaces the definition's objective if it is of this class. The new objective has default options, because
-/// a study sets no others.
-template <class Objective>
-void recordObjective(Recorder& recorder, planning::PlanSetup& setup) {
-    const ob::OptimizationObjectivePtr& objective = setup.definition->getOptimizationObjective();
-    if (dynamic_cast<const Objective*>(objective.get()) == nullptr) return;
-    const auto recording =
-        std::make_shared<RecordingObjective<Objective>>(recorder, setup.si, setup.checker->shared());
-    recording->setCostThreshold(objective->getCostThreshold());
-    setup.definition->setOptimizationObjective(recording);
-}
-
-/// Puts recording decorators in place of the setup's checker, certified validator and clearance objective.
+/// Puts recording decorators in place of the setup's checker and certified validator.
 /// The decorators answer as the originals do. They derive from the originals' classes, because planners and
 /// samplers cast to these classes.
 void recordInto(Recorder& recorder, planning::PlanSetup& setup, const std::function<bool()>& isOver) {
@@ -103,15 +71,11 @@ void recordInto(Recorder& recorder, planning::PlanSetup& setup, const std::funct
     setup.certified =
         std::make_shared<RecordingValidator>(recorder, setup.si, setup.checker->shared(), options);
     setup.si->setMotionValidator(setup.certified);
-    recordObjective<planning::MinClearanceObjective>(recorder, setup);
-    recordObjective<planning::ClearanceIntegralObjective>(recorder, setup);
-    recordObjective<planning::LengthWithClearanceObjective>(recorder, setup);
 }
 
 void measureCalls(const Recorder& recorder, RunMeasures& measures) {
     static_cast<Work&>(measures) = Work(recorder.tally());
     measures.motionChecks = recorder.calls(CallKind::kMotion) + recorder.calls(CallKind::kForwardMotion);
-    measures.motionCosts = recorder.calls(CallKind::kMotionCost);
     measures.querySeconds = recorder.seconds();
     const double seconds = measures.seconds.value_or(0);
     measures.queryShare = seconds > 0 ? recorder.seconds() / seconds : 0;

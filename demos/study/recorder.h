@@ -1,5 +1,4 @@
-// Records what a planner asks: decorators around the checker, the validator and the objective count, time and
-// sample its calls.
+// Records what a planner asks: decorators around the checker and the validator count, time and sample its calls.
 #pragma once
 
 #include <ompl/base/StateSpace.h>
@@ -73,7 +72,7 @@ class Recorder {
     std::thread::id thread_;  ///< the recorded thread; none before begin() and after end()
     std::vector<Kept> kept_;
     Kept* current_ = nullptr;  ///< the current block if it is kept
-    std::uint64_t calls_[5] = {};
+    std::uint64_t calls_[4] = {};
     std::uint64_t allCalls_ = 0;
     double seconds_ = 0;
     QueryTally tally_;

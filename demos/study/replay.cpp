@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <numeric>
 #include <stdexcept>
 
 #include "clearway/targets.h"
@@ -15,195 +15,87 @@
 namespace clearway::study {
 namespace {
 
-constexpr double kMostSeconds = 0.1;  ///< for all replayed blocks of a sample together
-constexpr std::size_t kLeastBlocks = 4;
-
-/// The recorded blocks of one run that are replayed.
-struct Sample {
-    std::string planner;
-    int seed = 1;
-    std::vector<CallBlock> blocks;
-    std::vector<std::size_t> places;  ///< positions of the blocks among the recorded ones
-    std::string answersFile;
-    Answers answers;       ///< answers of the first engine that was asked
-    std::string answered;  ///< the name of that engine
-};
-
 struct BuiltEngine {
     Engine engine;
-    std::unique_ptr<Scene> scene;
-    std::unique_ptr<Replayer> replayer;
+    std::shared_ptr<Replayer> replayer;
 };
 
-/// Switches to an instruction set. The destructor switches back to the best one.
-class TargetInUse {
-  public:
-    explicit TargetInUse(const std::string& name) { useTarget(name); }
-    ~TargetInUse() { useTarget("best"); }
-    TargetInUse(const TargetInUse&) = delete;
-    TargetInUse& operator=(const TargetInUse&) = delete;
+/// Restores the best instruction set in the end.
+struct OtherTargets {
+    OtherTargets() = default;
+    ~OtherTargets() { useTarget("best"); }
+    OtherTargets(const OtherTargets&) = delete;
+    OtherTargets& operator=(const OtherTargets&) = delete;
 };
 
-std::string placeOf(const Sample& sample, std::size_t block, std::size_t call) {
-    return fmt::format("call {} of block {} of {} seed {}", call + 1, sample.places[block] + 1,
-                       sample.planner, sample.seed);
+void compare(const StudyProblem& problem, const CallsSample& sample, const Answers& answers,
+             const Engine& engine, const StudyOptions& options) {
+    for (std::size_t block = 0; block < answers.size(); ++block) {
+        for (std::size_t call = 0; call < answers[block].size(); ++call) {
+            const CallAnswer here = answers[block][call], there = sample.answers.at(block).at(call);
+            if (here == there) continue;
+            const std::string what = fmt::format(
+                "{}: call {} of block {} of {} seed {}: {} answers '{}', {} '{}'", problem.name, call + 1,
+                block + 1, sample.planner, sample.seed, qualifyingEngine(options).name(),
+                static_cast<char>(there), engine.name(), static_cast<char>(here));
+            const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
+            if (!isOpen) throw std::logic_error("trees contradict each other: " + what);
+            options.report("a motion is undecided in one tree only: " + what);
+        }
+    }
 }
 
-void readBlocks(const std::string& file, std::size_t callsPerBlock, double secondsPerCall, Sample& sample) {
-    const std::vector<CallBlock> all = readCalls(file);
-    sample.places = replayedBlocks(all.size(), callsPerBlock, secondsPerCall);
-    for (const std::size_t place : sample.places) sample.blocks.push_back(all[place]);
+/// The median over the repetitions of each engine's seconds; empty when the study was stopped.
+std::vector<double> timeAll(std::vector<BuiltEngine>& built, const CallsSample& sample,
+                            const StudyOptions& options) {
+    const std::size_t engines = built.size();
+    std::vector<std::vector<double>> all(engines);
+    for (int repetition = 0; repetition < options.repetitions; ++repetition) {
+        for (std::size_t turn = 0; turn < engines; ++turn) {
+            if (options.mustStop()) return {};
+            const std::size_t i = (turn + static_cast<std::size_t>(repetition)) % engines;
+            useTarget(built[i].engine.instructions);
+            const std::vector<double> seconds = built[i].replayer->time(sample.blocks);
+            all[i].push_back(std::accumulate(seconds.begin(), seconds.end(), 0.0));
+        }
+    }
+    std::vector<double> medians;
+    for (std::vector<double>& each : all) medians.push_back(median(std::move(each)));
+    return medians;
 }
 
-bool areAnswersTo(const std::vector<CallBlock>& blocks, const Answers& answers) {
-    return std::equal(blocks.begin(), blocks.end(), answers.begin(), answers.end(),
-                      [](const CallBlock& block, const auto& of) { return block.size() == of.size(); });
+bool replaySample(const StudyProblem& problem, const CallsSample& sample, std::vector<BuiltEngine>& built,
+                  const StudyOptions& options, std::vector<ReplayRow>& rows) {
+    std::vector<ReplayRow> found;
+    for (BuiltEngine& each : built) {
+        if (options.mustStop()) return false;
+        useTarget(each.engine.instructions);
+        const ReplayedCalls replayed = each.replayer->replay(sample.blocks);
+        compare(problem, sample, replayed.answers, each.engine, options);
+        QueryTally tally;
+        for (const QueryTally& block : replayed.tallies) {
+            tally.distances += block.distances;
+            tally.withins += block.withins;
+            tally.sweeps += block.sweeps;
+            tally.work += block.work;
+        }
+        ReplayRow row;
+        static_cast<Engine&>(row) = each.engine;
+        static_cast<Work&>(row) = Work(tally);
+        row.scene = problem.name;
+        row.planner = sample.planner;
+        row.seed = sample.seed;
+        for (const CallBlock& block : sample.blocks) row.calls += block.size();
+        found.push_back(row);
+    }
+    const std::vector<double> seconds = timeAll(built, sample, options);
+    if (seconds.empty()) return false;
+    for (std::size_t i = 0; i < built.size(); ++i) {
+        found[i].seconds = seconds[i];
+        rows.push_back(found[i]);
+    }
+    return true;
 }
-
-class Replay {
-  public:
-    Replay(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-           const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& table)
-        : problem_(problem), options_(options), table_(table) {
-        for (const StudyPlanner& planner : options.planners) {
-            for (int seed = 1; seed <= options.seeds; ++seed) {
-                Sample sample;
-                sample.planner = planner.name;
-                sample.seed = seed;
-                const std::string file = callsFile(folder, problem.name, planner.name, seed);
-                readBlocks(file, options.sampling.callsPerBlock,
-                           querySecondsPerCall(runs, problem.name, planner.name, seed), sample);
-                sample.answersFile = answersFile(file);
-                if (std::filesystem::exists(sample.answersFile)) {
-                    sample.answers = readAnswers(sample.answersFile);
-                    // Answers to another choice of blocks are not used, and are replaced later.
-                    if (areAnswersTo(sample.blocks, sample.answers)) sample.answered = "an earlier engine";
-                }
-                samples_.push_back(std::move(sample));
-            }
-        }
-    }
-
-    /// Returns true when the table has all of the group's rows. Removes the rows of a group that is
-    /// incomplete because the program ended.
-    bool isDone(const EngineGroup& group) {
-        const auto isOfGroup = [&](const ReplayRow& row) {
-            return row.scene == problem_.name && std::find(group.begin(), group.end(), row) != group.end();
-        };
-        const auto there =
-            static_cast<std::size_t>(std::count_if(table_.rows().begin(), table_.rows().end(), isOfGroup));
-        std::size_t blocks = 0;
-        for (const Sample& sample : samples_) blocks += sample.blocks.size();
-        if (there >= blocks * group.size()) return true;
-        if (there > 0) table_.remove(isOfGroup);
-        return false;
-    }
-
-    bool replay(const EngineGroup& group) {
-        if (!prepare(group)) return false;
-        const TargetInUse target(group.front().instructions);
-        std::vector<ReplayRow> rows;
-        for (Sample& sample : samples_) {
-            if (!replay(sample, rows)) return false;
-        }
-        table_.append(rows);
-        return true;
-    }
-
-  private:
-    /// Builds the engines, unless the previous group had equal trees. Returns false when the study was
-    /// stopped.
-    bool prepare(const EngineGroup& group) {
-        if (!built_.empty() && !built_.front().engine.sharesTreesWith(group.front())) built_.clear();
-        if (!built_.empty()) {
-            for (std::size_t i = 0; i < group.size(); ++i) built_[i].engine = group[i];
-            return true;
-        }
-        for (const Engine& engine : group) {
-            if (options_.mustStop()) return false;
-            BuiltEngine made;
-            made.engine = engine;
-            made.scene = std::make_unique<Scene>(buildScene(problem_, engine, options_));
-            made.replayer = std::make_unique<Replayer>(problem_.problem, *made.scene);
-            built_.push_back(std::move(made));
-        }
-        return true;
-    }
-
-    /// Returns false when the study was stopped.
-    bool replay(Sample& sample, std::vector<ReplayRow>& rows) {
-        std::vector<std::vector<QueryTally>> tallies;
-        for (BuiltEngine& each : built_) {
-            if (options_.mustStop()) return false;
-            ReplayedCalls replayed = each.replayer->replay(sample.blocks);
-            compare(sample, replayed.answers, each.engine);
-            tallies.push_back(std::move(replayed.tallies));
-        }
-        const std::vector<std::vector<double>> seconds = timeAll(sample);
-        if (seconds.empty()) return false;
-        for (std::size_t i = 0; i < built_.size(); ++i) {
-            for (std::size_t block = 0; block < sample.blocks.size(); ++block) {
-                ReplayRow row;
-                static_cast<Engine&>(row) = built_[i].engine;
-                static_cast<Work&>(row) = Work(tallies[i][block]);
-                row.scene = problem_.name;
-                row.planner = sample.planner;
-                row.seed = sample.seed;
-                row.block = sample.places[block];
-                row.calls = sample.blocks[block].size();
-                row.seconds = seconds[i][block];
-                rows.push_back(row);
-            }
-        }
-        return true;
-    }
-
-    /// Returns the seconds as [engine][block]; empty when the study was stopped.
-    std::vector<std::vector<double>> timeAll(const Sample& sample) {
-        const std::size_t engines = built_.size(), blocks = sample.blocks.size();
-        std::vector<std::vector<std::vector<double>>> all(engines, std::vector<std::vector<double>>(blocks));
-        for (int repetition = 0; repetition < options_.repetitions; ++repetition) {
-            for (std::size_t turn = 0; turn < engines; ++turn) {
-                if (options_.mustStop()) return {};
-                const std::size_t i = (turn + static_cast<std::size_t>(repetition)) % engines;
-                const std::vector<double> seconds = built_[i].replayer->time(sample.blocks);
-                for (std::size_t block = 0; block < blocks; ++block) all[i][block].push_back(seconds[block]);
-            }
-        }
-        std::vector<std::vector<double>> medians(engines);
-        for (std::size_t i = 0; i < engines; ++i) {
-            for (auto& of : all[i]) medians[i].push_back(median(std::move(of)));
-        }
-        return medians;
-    }
-
-    void compare(Sample& sample, const Answers& answers, const Engine& engine) {
-        if (sample.answered.empty()) {
-            writeAnswers(answers, sample.answersFile);
-            sample.answers = answers;
-            sample.answered = engine.name();
-            return;
-        }
-        for (std::size_t block = 0; block < answers.size(); ++block) {
-            for (std::size_t call = 0; call < answers[block].size(); ++call) {
-                const CallAnswer here = answers[block][call], there = sample.answers.at(block).at(call);
-                if (here == there) continue;
-                const std::string what =
-                    fmt::format("{}: {} answers '{}', {} '{}'", placeOf(sample, block, call), sample.answered,
-                                static_cast<char>(there), engine.name(), static_cast<char>(here));
-                const bool isOpen = here == CallAnswer::kUndecided || there == CallAnswer::kUndecided;
-                if (!isOpen) throw std::logic_error("strategies contradict each other: " + what);
-                options_.report(problem_.name + ": a motion is undecided with one strategy only: " + what);
-            }
-        }
-    }
-
-    const StudyProblem& problem_;
-    const StudyOptions& options_;
-    GrowingTable<ReplayRow>& table_;
-    std::vector<Sample> samples_;
-    std::vector<BuiltEngine> built_;
-};
 
 }  // namespace
 
@@ -211,11 +103,11 @@ Columns<ReplayRow> replayColumns() {
     const Columns<ReplayRow> scene = {{"scene", &ReplayRow::scene}};
     const Columns<ReplayRow> rest = {{"planner", &ReplayRow::planner},
                                      {"seed", &ReplayRow::seed},
-                                     {"block", &ReplayRow::block},
                                      {"calls", &ReplayRow::calls},
                                      {"seconds", &ReplayRow::seconds},
                                      {"distance_queries", &ReplayRow::distanceQueries},
                                      {"within_queries", &ReplayRow::withinQueries},
+                                     {"sweep_queries", &ReplayRow::sweepQueries},
                                      {"volume_tests", &ReplayRow::volumeTests},
                                      {"triangle_tests", &ReplayRow::triangleTests},
                                      {"triangle_lanes", &ReplayRow::triangleLanes},
@@ -224,43 +116,67 @@ Columns<ReplayRow> replayColumns() {
     return scene + engineColumns<ReplayRow>() + rest;
 }
 
-bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& replays) {
-    Replay replay(problem, options, folder, runs, replays);
-    std::vector<EngineGroup> groups;
-    for (const EngineGroup& group : replayedGroups(options)) {
-        if (!replay.isDone(group)) groups.push_back(group);
-    }
-    TimeLeft left(groups.size(), 0);
-    for (const EngineGroup& group : groups) {
-        if (options.mustStop()) return false;
-        options.report(problem.name + ": replay " + std::to_string(left.done() + 1) + " of " +
-                       std::to_string(left.all()) + ", " + group.front().name() + " and others" +
-                       (left.done() > 0 ? ", " + left.text() + " for its replays" : ""));
-        if (!replay.replay(group)) return false;
-        left.step();
-    }
-    return true;
+std::string callsFile(const std::string& folder, const std::string& scene, const std::string& planner,
+                      int seed) {
+    return fmt::format("{}/calls/{}_{}_{}.calls", folder, scene, planner, seed);
 }
 
-double querySecondsPerCall(const std::vector<RunRow>& runs, const std::string& scene,
-                           const std::string& planner, int seed) {
-    std::vector<double> all;
-    for (const RunRow& run : runs) {
-        if (run.scene != scene || run.planner != planner || run.seed != seed) continue;
-        if (run.calls() > 0) all.push_back(run.querySeconds.value_or(0) / run.calls());
-    }
-    return all.empty() ? 0 : median(std::move(all));
+void keepCalls(const StudyRun& run, const StudyProblem& problem, const Scene& scene,
+               const std::string& folder) {
+    Replayer replayer(problem.problem, scene);
+    const std::vector<double> seconds = replayer.time(run.calls);
+    const double all = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+    const auto count = static_cast<std::size_t>(static_cast<double>(run.calls.size()) *
+                                                std::min(1.0, kMostReplaySeconds / std::max(all, 1e-9)));
+    std::vector<CallBlock> kept;
+    for (const std::size_t place : spreadEvenly(std::max(count, kLeastReplayedBlocks), run.calls.size()))
+        kept.push_back(run.calls[place]);
+    const std::string file = callsFile(folder, problem.name, run.row.planner, run.row.seed);
+    writeCalls(callsText(kept), file);
+    writeAnswers(replayer.replay(kept).answers, answersFile(file));
 }
 
-std::vector<std::size_t> replayedBlocks(std::size_t blocks, std::size_t callsPerBlock,
-                                        double secondsPerCall) {
-    const double each = secondsPerCall * static_cast<double>(callsPerBlock);
-    std::size_t count = blocks;
-    if (each * static_cast<double>(blocks) > kMostSeconds)
-        count = std::min(blocks, std::max(kLeastBlocks, static_cast<std::size_t>(kMostSeconds / each)));
+bool hasSample(const std::string& folder, const std::string& scene, const std::string& planner, int seed) {
+    return std::filesystem::exists(answersFile(callsFile(folder, scene, planner, seed)));
+}
+
+std::optional<CallsSample> readSample(const std::string& folder, const std::string& scene,
+                                      const std::string& planner, int seed) {
+    if (!hasSample(folder, scene, planner, seed)) return std::nullopt;
+    const std::string file = callsFile(folder, scene, planner, seed);
+    return CallsSample{planner, seed, readCalls(file), readAnswers(answersFile(file))};
+}
+
+std::optional<std::vector<ReplayRow>> replayGroup(const StudyProblem& problem, const EngineGroup& group,
+                                                  const std::vector<CallsSample>& samples,
+                                                  const StudyOptions& options) {
+    std::vector<std::unique_ptr<Scene>> scenes;
+    std::vector<BuiltEngine> built;
+    for (const Engine& engine : group) {
+        if (options.mustStop()) return std::nullopt;
+        const auto like = std::find_if(built.begin(), built.end(), [&](const BuiltEngine& other) {
+            return other.engine.sharesTreesWith(engine);
+        });
+        if (like != built.end()) {
+            const std::shared_ptr<Replayer> replayer = like->replayer;
+            built.push_back({engine, replayer});
+            continue;
+        }
+        scenes.push_back(std::make_unique<Scene>(buildScene(problem, engine)));
+        built.push_back({engine, std::make_shared<Replayer>(problem.problem, *scenes.back())});
+    }
+    const OtherTargets targets;
+    std::vector<ReplayRow> rows;
+    for (const CallsSample& sample : samples) {
+        if (!replaySample(problem, sample, built, options, rows)) return std::nullopt;
+    }
+    return rows;
+}
+
+std::vector<std::size_t> spreadEvenly(std::size_t count, std::size_t all) {
+    count = std::min(count, all);
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < count; ++i) places.push_back(i * blocks / count);
+    for (std::size_t i = 0; i < count; ++i) places.push_back(i * all / count);
     return places;
 }
 

@@ -1,44 +1,62 @@
-// Measures the effect of strategies alone: replays the recorded calls of planner runs with every engine.
+// Replays recorded calls of planner runs in trees of every kind: the effect of the trees alone.
 #pragma once
 
-#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "demos/study/calls.h"
 #include "demos/study/experiment.h"
 #include "demos/study/planner_runs.h"
 #include "program/bench/table.h"
 
 namespace clearway::study {
 
-/// A row of replay.csv: the work of one block of calls.
+/// A row of replay.csv: the work of one sample of calls.
 struct ReplayRow : CallsRow, Work {
     std::uint64_t calls = 0;
     double seconds = 0;  ///< processor time
 };
 
-/// scene and engineColumns(); planner, seed, block; calls, seconds and work of the block.
+/// scene and engineColumns(); planner, seed; calls, seconds and work of the sample.
 Columns<ReplayRow> replayColumns();
 
-/// Replays the folder's samples with the groups of engines that the table lacks, one group at a time. Samples
-/// of slow planners are replayed in part (see replayedBlocks). Within a group the engines take turns, sample
-/// by sample, and each block's time is the median of the repetitions. runs: all rows of the planners' runs.
-/// Returns false when the study was stopped: then the current group is not in the table.
+/// Calls of one run, and the qualifying engine's answers.
+struct CallsSample {
+    std::string planner;
+    int seed = 1;
+    std::vector<CallBlock> blocks;
+    Answers answers;
+};
+
+/// The file of a run's sample.
+std::string callsFile(const std::string& folder, const std::string& scene, const std::string& planner,
+                      int seed);
+
+/// Keeps a run's sample in its file, and the answers that the scene's trees give in another. Keeps as many blocks as are asked in
+/// kMostReplaySeconds, but at least kLeastReplayedBlocks, spread evenly over the run.
+void keepCalls(const StudyRun& run, const StudyProblem& problem, const Scene& scene,
+               const std::string& folder);
+constexpr double kMostReplaySeconds = 0.02;
+constexpr std::size_t kLeastReplayedBlocks = 4;
+
+bool hasSample(const std::string& folder, const std::string& scene, const std::string& planner, int seed);
+
+/// Reads a sample. Returns nothing when there is none.
+std::optional<CallsSample> readSample(const std::string& folder, const std::string& scene,
+                                      const std::string& planner, int seed);
+
+/// Replays the samples with the engines of a group. The engines take turns, sample by sample, and the median of the repetitions
+/// counts. Returns nothing when the study was stopped.
 ///
-/// All engines must give one answer to a call. A motion that only one engine leaves undecided is no
-/// contradiction, and is reported. Throws std::logic_error that names engines and call when one engine says
-/// yes and another no.
-bool replayCalls(const StudyProblem& problem, const StudyOptions& options, const std::string& folder,
-                 const std::vector<RunRow>& runs, GrowingTable<ReplayRow>& replays);
+/// All engines must give the answers of the sample. A motion that only one engine leaves undecided is no contradiction, and is told.
+/// Throws std::logic_error that names engine and call when an engine says yes where the sample says no, or the other way round.
+std::optional<std::vector<ReplayRow>> replayGroup(const StudyProblem& problem, const EngineGroup& group,
+                                                  const std::vector<CallsSample>& samples,
+                                                  const StudyOptions& options);
 
-/// The seconds of a planner's call: the median of the runs with that seed. 0 without runs.
-double querySecondsPerCall(const std::vector<RunRow>& runs, const std::string& scene,
-                           const std::string& planner, int seed);
-
-/// Chooses the recorded blocks to replay. Some planners' calls take a thousand times as long as others', and
-/// all of them would take a day. Returns the positions of as many blocks as take a tenth of a second
-/// together, but of four at least, spread evenly. Returns all positions if all blocks together are that
-/// quick.
-std::vector<std::size_t> replayedBlocks(std::size_t blocks, std::size_t callsPerBlock, double secondsPerCall);
+/// The positions of `count` of `all` blocks, spread evenly.
+std::vector<std::size_t> spreadEvenly(std::size_t count, std::size_t all);
 
 }  // namespace clearway::study

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/state_to_pose.h"
 #include "demos/study/experiment.h"
@@ -23,7 +22,6 @@ PlanSetup setupFor(const Problem& problem, const Scene& scene) {
     const planning::OmplMessages unobserved;
     planning::PlanOptions options;
     options.planner = "RRTConnect";
-    options.objective = "max_min_clearance";
     options.threads = 1;
     planning::PlanReport report;
     return planning::makePlanSetup(problem, scene, options, report);
@@ -76,15 +74,6 @@ struct Replayer::Tools {
         if (call.kind != CallKind::kState && call.kind != CallKind::kClearance) set(to, call.to);
     }
 
-    /// The answer that a cost stands for. A cost of at most 0 certifies nothing; the worst cost means that a
-    /// pose is invalid.
-    CallAnswer costAnswer() const {
-        const double cost =
-            setup.definition->getOptimizationObjective()->motionCost(from.get(), to.get()).value();
-        if (cost > 0) return CallAnswer::kYes;
-        return cost <= -planning::kInvalidMotionCost ? CallAnswer::kNo : CallAnswer::kUndecided;
-    }
-
     CallAnswer motionAnswer(bool isForward) {
         const std::uint64_t before = setup.certified->counters().undecided;
         bool isValid = false;
@@ -108,11 +97,9 @@ struct Replayer::Tools {
             case CallKind::kMotion:
                 return motionAnswer(false);
             case CallKind::kForwardMotion:
-                return motionAnswer(true);
-            case CallKind::kMotionCost:
                 break;
         }
-        return costAnswer();
+        return motionAnswer(true);
     }
 };
 

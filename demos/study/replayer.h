@@ -1,5 +1,4 @@
-// Replays recorded calls in a scene with other trees, through a checker, a validator and an objective of the
-// planner's kinds.
+// Replays recorded calls in a scene with other trees, through a checker and a validator of the planner's kinds.
 #pragma once
 
 #include <memory>
@@ -23,7 +22,7 @@ std::vector<Pose> posesOf(const Problem& problem, const std::vector<CallBlock>& 
 
 class Replayer {
   public:
-    /// Makes a checker, a motion validator and the objective max_min_clearance. Throws as plan() does.
+    /// Makes a checker and a motion validator. Throws as plan() does.
     Replayer(const Problem& problem, const Scene& scene);
     ~Replayer();
     Replayer(Replayer&&) noexcept;

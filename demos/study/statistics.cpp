@@ -1,14 +1,16 @@
 #include "demos/study/statistics.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <functional>
 #include <map>
-#include <optional>
 #include <random>
 #include <tuple>
-#include <type_traits>
+
+#include "demos/study/qualification.h"
 
 namespace clearway::study {
 namespace {
@@ -17,228 +19,171 @@ constexpr std::size_t kResamples = 2000;
 constexpr double kOutside = 0.025;  ///< share of the resamples outside the interval, at each end
 constexpr std::uint64_t kSeed = 20131;
 constexpr const char* kAllPlanners = "all";
+constexpr double kMicro = 1e-6;
 
 double number(const Count& count) {
     return static_cast<double>(count.value_or(0));
 }
 
-/// Scene, engine and planner as texts, by which the files' rows are sorted.
-using Key = std::array<std::string, 7>;
-constexpr std::size_t kLeafSplit = 5, kPlanner = 6;
+Measure quotient(const Measure& of, const Measure& per) {
+    return of && per && *per > 0 ? Measure(*of / *per) : std::nullopt;
+}
 
-Key columnsOf(const CallsRow& row) {
-    return {row.scene,
-            row.generalSplit,
-            std::to_string(row.leafSize),
-            std::to_string(row.nodeWidth),
-            row.instructions,
-            row.leafSplit,
-            row.planner};
+using Key = std::tuple<std::string, std::string, std::string, std::string, int, int, std::string>;
+
+/// Scene, planner and engine.
+Key keyOf(const CallsRow& row) {
+    return {row.scene,    row.planner,   row.generalSplit, row.leafSplit,
+            row.leafSize, row.nodeWidth, row.instructions};
 }
 
 template <class Row>
-Row rowAt(const Key& key, const CallsRow& like) {
-    Row row;
-    static_cast<CallsRow&>(row) = like;
-    row.planner = key[kPlanner];
+std::map<Key, std::map<int, const Row*>> bySeed(const std::vector<Row>& rows) {
+    std::map<Key, std::map<int, const Row*>> cells;
+    for (const Row& row : rows) cells[keyOf(row)][row.seed] = &row;
+    return cells;
+}
+
+/// The same scene, planner, leaf size, width and instructions in another tree.
+CallsRow inTree(CallsRow row, const std::string& general, const std::string& leaf) {
+    row.generalSplit = general;
+    row.leafSplit = leaf;
     return row;
 }
 
-/// Compares two rows. The ratio is empty if either row lacks the measure.
-template <class Row>
-using RatioOf = std::function<Measure(const Row& mine, const Row& other)>;
-
-/// The ratio of a value that both rows have, neither of them below 0.
-template <class Row, class Value>
-RatioOf<Row> ratioOf(const Value& value) {
-    return [value](const Row& row, const Row& with) -> Measure {
-        const Measure mine = value(row), other = value(with);
-        if (!mine || !other || !(*mine >= 0) || !(*other > 0)) return std::nullopt;
-        return *mine / *other;
-    };
-}
-
-Measure quotient(double of, double per) {
-    return per > 0 ? Measure(of / per) : std::nullopt;
-}
-
-/// Leaves out disturbed runs, because their clock times depend on the machine's other work.
-RatioOf<RunRow> undisturbed(const RatioOf<RunRow>& ratio) {
-    return [ratio](const RunRow& mine, const RunRow& other) -> Measure {
-        if (mine.wasDisturbed() || other.wasDisturbed()) return std::nullopt;
-        return ratio(mine, other);
-    };
-}
-
-/// The ratio of the times to the first solution. An unsolved run would have taken longer than it did. But
-/// without such pairs, only pairs in which the slower strategy was quick enough would count.
-Measure firstSolutionRatio(const RunRow& mine, const RunRow& other) {
-    const Measure ofMine = mine.firstSolution(), ofOther = other.firstSolution();
-    if (!ofMine && !ofOther) return std::nullopt;
-    const double first = ofMine.value_or(mine.seconds.value_or(0)),
-                 with = ofOther.value_or(other.seconds.value_or(0));
-    const bool isKnown = ofMine && ofOther, isLonger = ofMine ? with > first : first > with;
-    if (!(first > 0) || !(with > 0) || !(isKnown || isLonger)) return std::nullopt;
-    return first / with;
-}
-
-template <class Row>
-class Pairing {
-  public:
-    Pairing(const std::vector<Row>& rows, std::string source, std::string baseline)
-        : rows_(rows), source_(std::move(source)), baseline_(std::move(baseline)) {
-        for (const Row& row : rows) {
-            if (row.leafSplit == baseline_) baselines_[pairKey(row)] = &row;
-        }
+const FilesRow* filesOf(const std::vector<FilesRow>& files, const CallsRow& row) {
+    for (const FilesRow& each : files) {
+        if (each.scene == row.scene && static_cast<const Engine&>(each) == row) return &each;
     }
+    return nullptr;
+}
 
-    /// isOfAllPlanners: false for a measure whose meaning differs between planners.
-    void add(const char* measure, const RatioOf<Row>& ratio, std::vector<StatisticRow>& statistics,
-             bool isOfAllPlanners = true) const {
-        struct Found {
-            const CallsRow* row = nullptr;
-            std::map<std::string, std::vector<double>> clusters;  ///< by planner and seed
-        };
-        std::map<Key, Found> found;
-        for (const Row& row : rows_) {
-            const auto with = baselines_.find(pairKey(row));
-            if (row.leafSplit == baseline_ || with == baselines_.end()) continue;
-            const Measure value = ratio(row, *with->second);
-            if (!value) continue;
-            Key key = columnsOf(row);
-            for (const std::string& planner : {row.planner, std::string(kAllPlanners)}) {
-                if (planner == kAllPlanners && !isOfAllPlanners) continue;
-                key[kPlanner] = planner;
-                found[key].row = &row;
-                found[key].clusters[row.planner + "/" + std::to_string(row.seed)].push_back(*value);
+Measure filesSeconds(const std::vector<FilesRow>& files, const CallsRow& row) {
+    const FilesRow* const found = filesOf(files, row);
+    return found ? Measure(found->seconds()) : std::nullopt;
+}
+
+template <class Row>
+using ValueOf = std::function<Measure(const Row&)>;
+
+template <class Row>
+struct NamedMeasure {
+    const char* name;
+    ValueOf<Row> value;
+    bool isTime = false;
+    bool isOfAnyPair = false;  ///< also of runs that did not do the same
+};
+
+/// The trees that an engine is compared with, as general and leaf split.
+std::vector<std::pair<std::string, std::string>> baselinesOf(const Engine& engine,
+                                                             const StudyOptions& options) {
+    std::vector<std::pair<std::string, std::string>> all;
+    const std::string& none = options.leafSplits.front();
+    if (engine.leafSplit != none) all.emplace_back(engine.generalSplit, none);
+    if (engine.generalSplit != options.generalSplits.back())
+        all.emplace_back(options.generalSplits.back(), none);
+    return all;
+}
+
+bool hasEnough(const std::map<int, const RunRow*>& runs) {
+    const auto solved = std::count_if(
+        runs.begin(), runs.end(), [](const auto& run) { return run.second->planningSeconds().has_value(); });
+    return static_cast<double>(solved) >= kLeastSolved * static_cast<double>(runs.size()) - 1e-9;
+}
+
+bool hasEnough(const std::map<int, const ReplayRow*>& /*samples*/) {
+    return true;
+}
+
+bool isPair(const ReplayRow& /*a*/, const ReplayRow& /*b*/) {
+    return true;
+}
+bool isPair(const RunRow& a, const RunRow& b) {
+    return didTheSame(a, b);
+}
+
+/// A run's cell has few pairs when planners decide otherwise in other trees: these would be a lucky choice.
+std::size_t leastPairs(const std::map<int, const RunRow*>& runs) {
+    return (runs.size() + 1) / 2;
+}
+std::size_t leastPairs(const std::map<int, const ReplayRow*>& /*samples*/) {
+    return 1;
+}
+
+bool wasDisturbed(const RunRow& run) {
+    return run.wasDisturbed();
+}
+bool wasDisturbed(const ReplayRow& /*sample*/) {
+    return false;  // its seconds are those of the processor
+}
+
+template <class Row>
+using BySeed = std::map<int, const Row*>;
+
+/// A measure in a cell over that in another one, for each pair; none where there are too few pairs.
+template <class Row>
+std::vector<double> ratiosOfPairs(const BySeed<Row>& runs, const BySeed<Row>& others,
+                                  const NamedMeasure<Row>& measure) {
+    std::vector<double> ratios;
+    if (!hasEnough(runs) || !hasEnough(others)) return ratios;
+    std::size_t pairs = 0;
+    for (const auto& [seed, run] : runs) {
+        const auto other = others.find(seed);
+        if (other == others.end() || !(measure.isOfAnyPair || isPair(*run, *other->second))) continue;
+        ++pairs;
+        if (measure.isTime && (wasDisturbed(*run) || wasDisturbed(*other->second))) continue;
+        if (const Measure ratio = quotient(measure.value(*run), measure.value(*other->second)))
+            ratios.push_back(*ratio);
+    }
+    if (pairs < leastPairs(runs)) ratios.clear();
+    return ratios;
+}
+
+template <class Row>
+void addRatios(const std::vector<Row>& rows, const char* source, bool ofAllPlanners,
+               const std::vector<NamedMeasure<Row>>& measures, const StudyOptions& options,
+               std::vector<RatioRow>& ratios) {
+    const auto cells = bySeed(rows);
+    for (const NamedMeasure<Row>& measure : measures) {
+        std::map<std::pair<Key, std::string>, std::pair<CallsRow, std::vector<double>>> found;
+        for (const auto& cell : cells) {
+            CallsRow row = *cell.second.begin()->second;
+            for (const auto& [general, leaf] : baselinesOf(row, options)) {
+                const auto others = cells.find(keyOf(inTree(row, general, leaf)));
+                if (others == cells.end()) continue;
+                CallsRow shown = row;
+                if (ofAllPlanners) shown.planner = kAllPlanners;
+                auto& [of, values] = found[{keyOf(shown), general + "/" + leaf}];
+                of = shown;
+                for (const double ratio : ratiosOfPairs(cell.second, others->second, measure))
+                    values.push_back(ratio);
             }
         }
         for (const auto& [key, of] : found) {
-            std::vector<std::vector<double>> ratios;
-            for (const auto& cluster : of.clusters) ratios.push_back(cluster.second);
-            auto row = rowAt<StatisticRow>(key, *of.row);
-            static_cast<PairedRatio&>(row) = pairedRatio(ratios);
-            row.source = source_;
-            row.measure = measure;
-            row.baseline = baseline_;
-            statistics.push_back(row);
+            if (of.second.empty()) continue;
+            RatioRow row;
+            static_cast<CallsRow&>(row) = of.first;
+            static_cast<PairedRatio&>(row) = pairedRatio(of.second);
+            row.source = source;
+            row.measure = measure.name;
+            row.baseline = key.second;
+            ratios.push_back(row);
         }
     }
+}
 
-    void addFills(std::vector<StatisticRow>& statistics) const {
-        const auto blocks = [](const Row& row) {
-            return quotient(number(row.triangleTests), number(row.triangleLanes));
-        };
-        const auto kernels = [](const Row& row) {
-            return quotient(number(row.kernelPairs), number(row.kernelLanes));
-        };
-        add("block_fill", ratioOf<Row>(blocks), statistics);
-        add("kernel_fill", ratioOf<Row>(kernels), statistics);
-    }
-
-  private:
-    static auto pairKey(const Row& row) {
-        Key key = columnsOf(row);
-        key[kLeafSplit].clear();
-        return std::tuple(key, row.seed, row.block);
-    }
-
-    const std::vector<Row>& rows_;
-    std::string source_, baseline_;
-    std::map<std::tuple<Key, int, std::uint64_t>, const Row*> baselines_;
-};
-
-/// Sums over the runs, or over the replayed blocks, of one engine and planner.
-struct Sums {
-    const CallsRow* first = nullptr;
-    std::size_t rows = 0, solved = 0, disturbed = 0;
-    std::vector<double> firstSolutions, finalSolutions, costs;
-    double stateChecks = 0, motionChecks = 0, motionCosts = 0, distanceQueries = 0, withinQueries = 0;
-    double seconds = 0, calls = 0, askingSeconds = 0, querySeconds = 0, queries = 0, volumes = 0,
-           triangles = 0, lanes = 0, kernelPairs = 0, kernelLanes = 0;
-
-    void add(const RunRow& run) {
-        addWork(run, run, run.calls(), run.askingSeconds().value_or(0));
-        if (run.wasDisturbed()) ++disturbed;
-        seconds += run.seconds.value_or(0);
-        querySeconds += run.querySeconds.value_or(0);
-        stateChecks += number(run.stateChecks);
-        motionChecks += number(run.motionChecks);
-        motionCosts += number(run.motionCosts);
-        distanceQueries += number(run.distanceQueries);
-        withinQueries += number(run.withinQueries);
-        if (run.isSolved != 1u) return;
-        ++solved;
-        const auto keep = [](const Measure& value, std::vector<double>& all) {
-            if (value) all.push_back(*value);
-        };
-        keep(run.firstSolution(), firstSolutions);
-        keep(run.finalSolutionSeconds, finalSolutions);
-        keep(run.finiteCost(), costs);
-    }
-
-    void add(const ReplayRow& block) {
-        addWork(block, block, static_cast<double>(block.calls), block.seconds);
-    }
-
-    void addWork(const CallsRow& row, const Work& work, double asked, double took) {
-        first = &row;
-        ++rows;
-        calls += asked;
-        askingSeconds += took;
-        queries += work.queries();
-        volumes += number(work.volumeTests);
-        triangles += number(work.triangleTests);
-        lanes += number(work.triangleLanes);
-        kernelPairs += number(work.kernelPairs);
-        kernelLanes += number(work.kernelLanes);
-    }
-
-    void writeRuns(SummaryRow& row) const {
-        const auto count = static_cast<double>(rows);
-        const auto medianOf = [](const std::vector<double>& values) {
-            return values.empty() ? std::nullopt : Measure(median(values));
-        };
-        row.runs = rows;
-        row.solved = solved;
-        row.disturbed = disturbed;
-        row.firstSolutionSeconds = medianOf(firstSolutions);
-        row.finalSolutionSeconds = medianOf(finalSolutions);
-        row.cost = medianOf(costs);
-        row.stateChecks = quotient(stateChecks, count);
-        row.motionChecks = quotient(motionChecks, count);
-        row.motionCosts = quotient(motionCosts, count);
-        row.distanceQueries = quotient(distanceQueries, count);
-        row.withinQueries = quotient(withinQueries, count);
-        row.queryShare = quotient(querySeconds, seconds);
-    }
-
-    void writeWork(SummaryRow& row) const {
-        row.callsPerSecond = quotient(calls, askingSeconds);
-        row.volumeTests = quotient(volumes, queries);
-        row.triangleTests = quotient(triangles, queries);
-        row.blockFill = quotient(triangles, lanes);
-        row.kernelFill = quotient(kernelPairs, kernelLanes);
-    }
-};
-
+/// Median of a measure over the runs that have it.
 template <class Row>
-void addSummary(const std::vector<Row>& rows, const char* source, std::vector<SummaryRow>& summary) {
-    constexpr bool kAreRuns = std::is_same_v<Row, RunRow>;
-    std::map<Key, Sums> sums;
-    for (const Row& row : rows) {
-        Key key = columnsOf(row);
-        sums[key].add(row);
-        key[kPlanner] = kAllPlanners;
-        sums[key].add(row);
+Measure medianOf(const std::map<int, const Row*>& rows, const ValueOf<Row>& value) {
+    std::vector<double> values;
+    for (const auto& [seed, row] : rows) {
+        if (const Measure each = value(*row)) values.push_back(*each);
     }
-    for (const auto& [key, of] : sums) {
-        auto row = rowAt<SummaryRow>(key, *of.first);
-        row.source = source;
-        if (kAreRuns) of.writeRuns(row);
-        of.writeWork(row);
-        summary.push_back(row);
-    }
+    return values.empty() ? std::nullopt : Measure(median(std::move(values)));
+}
+
+std::array<double, 4> workOf(const Work& work, double calls) {
+    return {number(work.volumeTests), number(work.triangleLanes), number(work.kernelLanes), calls};
 }
 
 }  // namespace
@@ -251,22 +196,15 @@ double median(std::vector<double> values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-PairedRatio pairedRatio(const std::vector<std::vector<double>>& clusters) {
+PairedRatio pairedRatio(const std::vector<double>& ratios) {
     PairedRatio result;
-    std::vector<double> ofClusters;
-    for (const auto& cluster : clusters) {
-        if (cluster.empty()) continue;
-        ofClusters.push_back(median(cluster));
-        result.pairs += cluster.size();
-    }
-    result.clusters = ofClusters.size();
-    if (ofClusters.empty()) return result;
-    result.median = median(ofClusters);
-
+    result.pairs = ratios.size();
+    if (ratios.empty()) return result;
+    result.median = median(ratios);
     std::mt19937_64 random(kSeed);  // without the standard's distributions, which differ between libraries
-    std::vector<double> medians, drawn(ofClusters.size());
+    std::vector<double> medians, drawn(ratios.size());
     for (std::size_t i = 0; i < kResamples; ++i) {
-        for (double& cluster : drawn) cluster = ofClusters[random() % ofClusters.size()];
+        for (double& each : drawn) each = ratios[random() % ratios.size()];
         medians.push_back(median(drawn));
     }
     std::sort(medians.begin(), medians.end());
@@ -276,80 +214,165 @@ PairedRatio pairedRatio(const std::vector<std::vector<double>>& clusters) {
     return result;
 }
 
-Columns<StatisticRow> statisticColumns() {
-    using Row = StatisticRow;
-    return {
-        {"scene", &Row::scene},        {"source", &Row::source},        {"general_split", &Row::generalSplit},
-        {"leaf_size", &Row::leafSize}, {"node_width", &Row::nodeWidth}, {"instructions", &Row::instructions},
-        {"planner", &Row::planner},    {"measure", &Row::measure},      {"leaf_split", &Row::leafSplit},
-        {"baseline", &Row::baseline},  {"ratio", &Row::median},         {"low", &Row::low},
-        {"high", &Row::high},          {"pairs", &Row::pairs},          {"clusters", &Row::clusters}};
+/// Leaves out the work whose cost comes out negative, the most negative first, and fits the rest again.
+WorkCosts fitCosts(const std::vector<ReplayRow>& replays) {
+    std::vector<const ReplayRow*> rows;
+    for (const ReplayRow& row : replays) {
+        if (row.seconds > 0) rows.push_back(&row);
+    }
+    std::vector<int> used = {0, 1, 2, 3};
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd costs = Eigen::VectorXd::Zero(4);
+    Eigen::MatrixXd relative(count, 4);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const ReplayRow& row = *rows[static_cast<std::size_t>(i)];
+        const std::array<double, 4> work = workOf(row, static_cast<double>(row.calls));
+        for (int k = 0; k < 4; ++k) relative(i, k) = kMicro * work[static_cast<std::size_t>(k)] / row.seconds;
+    }
+    while (!used.empty() && count >= 4) {
+        Eigen::MatrixXd columns(count, static_cast<Eigen::Index>(used.size()));
+        for (std::size_t k = 0; k < used.size(); ++k)
+            columns.col(static_cast<Eigen::Index>(k)) = relative.col(used[k]);
+        const Eigen::VectorXd found =
+            columns.colPivHouseholderQr().solve(Eigen::VectorXd::Ones(count).eval());
+        Eigen::Index worst = 0;
+        if (found.minCoeff(&worst) >= 0) {
+            for (std::size_t k = 0; k < used.size(); ++k)
+                costs[used[k]] = found[static_cast<Eigen::Index>(k)];
+            break;
+        }
+        used.erase(used.begin() + worst);
+    }
+    WorkCosts result{costs[0], costs[1], costs[2], costs[3], 0};
+    if (count > 0)
+        result.error = std::sqrt((relative * costs - Eigen::VectorXd::Ones(count)).squaredNorm() /
+                                 static_cast<double>(count));
+    return result;
 }
 
-std::vector<StatisticRow> statisticsOf(const std::vector<RunRow>& runs, const std::vector<ReplayRow>& replays,
-                                       const std::string& baseline) {
-    const auto ofRun = [](const auto& value) { return ratioOf<RunRow>(value); };
-    const auto ofReplay = [](const auto& value) { return ratioOf<ReplayRow>(value); };
-    const auto secondsPerCall = [](const RunRow& run) {
-        return quotient(run.askingSeconds().value_or(0), run.calls());
-    };
-    const auto querySecondsPerCall = [](const RunRow& run) {
-        return quotient(run.querySeconds.value_or(0), run.calls());
-    };
-    const auto volumesPerQuery = [](const RunRow& run) {
-        return quotient(number(run.volumeTests), run.queries());
-    };
-    const auto trianglesPerQuery = [](const RunRow& run) {
-        return quotient(number(run.triangleTests), run.queries());
-    };
-    std::vector<StatisticRow> all;
-    const Pairing<RunRow> pairs(runs, "runs", baseline);
-    pairs.add("first_solution_seconds", undisturbed(firstSolutionRatio), all);
-    pairs.add("seconds_per_call", ofRun(secondsPerCall), all);
-    pairs.add("query_seconds_per_call", undisturbed(ofRun(querySecondsPerCall)), all);
-    pairs.add("cost", ofRun([](const RunRow& run) { return run.finiteCost(); }), all, false);
-    pairs.add("volume_tests_per_query", ofRun(volumesPerQuery), all);
-    pairs.add("triangle_tests_per_query", ofRun(trianglesPerQuery), all);
-    const Pairing<ReplayRow> blocks(replays, "replay", baseline);
-    blocks.add("seconds", ofReplay([](const ReplayRow& block) { return Measure(block.seconds); }), all);
-    blocks.add("volume_tests",
-               ofReplay([](const ReplayRow& block) { return Measure(number(block.volumeTests)); }), all);
-    blocks.add("triangle_tests",
-               ofReplay([](const ReplayRow& block) { return Measure(number(block.triangleTests)); }), all);
-    pairs.addFills(all);
-    blocks.addFills(all);
-    return all;
+bool didTheSame(const RunRow& a, const RunRow& b) {
+    return a.planningSeconds() && b.planningSeconds() && a.stateChecks == b.stateChecks &&
+           a.motionChecks == b.motionChecks && a.graphStates == b.graphStates && a.length == b.length;
 }
 
-Columns<SummaryRow> summaryColumns() {
-    using Row = SummaryRow;
-    const Columns<Row> source = {{"scene", &Row::scene}, {"source", &Row::source}};
-    const Columns<Row> figures = {{"planner", &Row::planner},
-                                  {"runs", &Row::runs},
-                                  {"solved", &Row::solved},
-                                  {"disturbed", &Row::disturbed},
-                                  {"first_solution_seconds", &Row::firstSolutionSeconds},
-                                  {"final_solution_seconds", &Row::finalSolutionSeconds},
-                                  {"cost", &Row::cost},
-                                  {"state_checks", &Row::stateChecks},
-                                  {"motion_checks", &Row::motionChecks},
-                                  {"motion_costs", &Row::motionCosts},
-                                  {"distance_queries", &Row::distanceQueries},
-                                  {"within_queries", &Row::withinQueries},
-                                  {"calls_per_second", &Row::callsPerSecond},
-                                  {"query_share", &Row::queryShare},
-                                  {"volume_tests", &Row::volumeTests},
-                                  {"triangle_tests", &Row::triangleTests},
-                                  {"block_fill", &Row::blockFill},
-                                  {"kernel_fill", &Row::kernelFill}};
-    return source + engineColumns<Row>() + figures;
+Columns<CellRow> cellColumns() {
+    using Row = CellRow;
+    return {{"scene", &Row::scene},
+            {"planner", &Row::planner},
+            {"general_split", &Row::generalSplit},
+            {"leaf_split", &Row::leafSplit},
+            {"runs", &Row::runs},
+            {"solved", &Row::solved},
+            {"files_to_path_seconds", &Row::filesToPath},
+            {"planning_seconds", &Row::planning},
+            {"calls", &Row::calls},
+            {"queries", &Row::queries},
+            {"query_seconds", &Row::querySeconds},
+            {"query_share", &Row::queryShare},
+            {"volume_share", &Row::volumeShare},
+            {"triangle_share", &Row::triangleShare},
+            {"leaves_ratio", &Row::leavesRatio},
+            {"equal_questions", &Row::equalQuestions}};
 }
 
-std::vector<SummaryRow> summaryOf(const std::vector<RunRow>& runs, const std::vector<ReplayRow>& replays) {
-    std::vector<SummaryRow> summary;
-    addSummary(runs, "runs", summary);
-    addSummary(replays, "replay", summary);
-    return summary;
+std::vector<CellRow> cellsOf(const Measured& measured, const StudyOptions& options) {
+    std::map<std::string, std::vector<ReplayRow>> replays;  // by scene, in the trees that planners use
+    for (const ReplayRow& row : measured.replays) {
+        const std::vector<Engine> planned = plannedEngines(options);
+        if (std::find(planned.begin(), planned.end(), static_cast<const Engine&>(row)) != planned.end())
+            replays[row.scene].push_back(row);
+    }
+    std::map<std::string, WorkCosts> costs;
+    for (const auto& [scene, rows] : replays) costs[scene] = fitCosts(rows);
+
+    const auto cells = bySeed(measured.runs);
+    const Engine qualifying = qualifyingEngine(options);
+    std::vector<CellRow> result;
+    for (const auto& [key, runs] : cells) {
+        const RunRow& first = *runs.begin()->second;
+        CellRow row;
+        static_cast<CallsRow&>(row) = first;
+        row.runs = runs.size();
+        for (const auto& [seed, run] : runs) row.solved += run->planningSeconds().has_value();
+        row.planning = medianOf<RunRow>(runs, [](const RunRow& run) { return run.planningSeconds(); });
+        const Measure files = filesSeconds(measured.files, first);
+        if (files && row.planning) row.filesToPath = *files + *row.planning;
+        const auto recorded = [](const ValueOf<RunRow>& value) {
+            return [value](const RunRow& run) { return run.calls() ? value(run) : std::nullopt; };
+        };
+        row.calls = medianOf<RunRow>(runs, [](const RunRow& run) { return run.calls(); });
+        row.queries = medianOf<RunRow>(runs, recorded([](const RunRow& run) { return run.queries(); }));
+        row.querySeconds =
+            medianOf<RunRow>(runs, recorded([](const RunRow& run) { return run.querySeconds; }));
+        row.queryShare = medianOf<RunRow>(runs, recorded([](const RunRow& run) { return run.queryShare; }));
+        if (costs.count(first.scene) > 0) {
+            const WorkCosts& cost = costs[first.scene];
+            row.volumeShare = medianOf<RunRow>(
+                runs, recorded([&](const RunRow& run) {
+                    return quotient(kMicro * cost.volumeTest * number(run.volumeTests), run.seconds);
+                }));
+            row.triangleShare =
+                medianOf<RunRow>(runs, recorded([&](const RunRow& run) {
+                                     return quotient(kMicro * (cost.trianglePair * number(run.triangleLanes) +
+                                                               cost.kernelLane * number(run.kernelLanes)),
+                                                     run.seconds);
+                                 }));
+        }
+        const FilesRow* const leaves = filesOf(measured.files, first);
+        const FilesRow* const unsplit =
+            filesOf(measured.files, inTree(first, first.generalSplit, options.leafSplits.front()));
+        if (leaves && unsplit)
+            row.leavesRatio = static_cast<double>(leaves->leaves) / static_cast<double>(unsplit->leaves);
+        const auto others = cells.find(keyOf(inTree(first, qualifying.generalSplit, qualifying.leafSplit)));
+        for (const auto& [seed, run] : runs) {
+            if (others == cells.end() || others->second.count(seed) == 0) continue;
+            const RunRow& other = *others->second.at(seed);
+            row.equalQuestions += didTheSame(*run, other);
+        }
+        result.push_back(row);
+    }
+    return result;
+}
+
+Columns<RatioRow> ratioColumns() {
+    using Row = RatioRow;
+    const Columns<Row> head = {{"scene", &Row::scene}, {"source", &Row::source}};
+    const Columns<Row> rest = {{"planner", &Row::planner},   {"measure", &Row::measure},
+                               {"baseline", &Row::baseline}, {"ratio", &Row::median},
+                               {"low", &Row::low},           {"high", &Row::high},
+                               {"pairs", &Row::pairs}};
+    return head + engineColumns<Row>() + rest;
+}
+
+std::vector<RatioRow> ratiosOf(const Measured& measured, const StudyOptions& options) {
+    const auto filesToPath = [&](const RunRow& run) -> Measure {
+        const Measure files = filesSeconds(measured.files, run), planning = run.planningSeconds();
+        return files && planning ? Measure(*files + *planning) : std::nullopt;
+    };
+    const auto planning = [](const RunRow& run) { return run.planningSeconds(); };
+    const auto solved = [](const auto& value) {
+        return [value](const RunRow& run) -> Measure {
+            return run.planningSeconds() && run.calls() ? value(run) : std::nullopt;
+        };
+    };
+    std::vector<RatioRow> ratios;
+    addRatios<RunRow>(
+        measured.runs, "runs", false,
+        {{"files_to_path", filesToPath, true},
+         {"files_to_path_any", filesToPath, true, true},
+         {"planning", planning, true},
+         {"planning_any", planning, true, true},
+         {"queries", solved([](const RunRow& run) { return run.querySeconds; }), true},
+         {"volume_tests", solved([](const RunRow& run) { return Measure(number(run.volumeTests)); })},
+         {"triangle_tests", solved([](const RunRow& run) { return Measure(number(run.triangleTests)); })}},
+        options, ratios);
+    addRatios<ReplayRow>(
+        measured.replays, "replay", true,
+        {{"seconds", [](const ReplayRow& row) { return Measure(row.seconds); }, true},
+         {"volume_tests", [](const ReplayRow& row) { return Measure(number(row.volumeTests)); }},
+         {"triangle_tests", [](const ReplayRow& row) { return Measure(number(row.triangleTests)); }}},
+        options, ratios);
+    return ratios;
 }
 
 }  // namespace clearway::study

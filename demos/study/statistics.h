@@ -1,10 +1,11 @@
-// Computes from the study's tables how strategies differ: figures of each tree and planner, and ratios to the
-// first leaf split with equal planner, tree and seed.
+// Computes from the study's tables how trees differ: figures of each cell (scene, planner, tree), and ratios between trees with equal
+// scene, planner and seed.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "demos/study/files.h"
 #include "demos/study/planner_runs.h"
 #include "demos/study/replay.h"
 #include "program/bench/table.h"
@@ -14,62 +15,67 @@ namespace clearway::study {
 /// The median; for an even number of values, the mean of the two in the middle. values: at least one.
 double median(std::vector<double> values);
 
-/// The ratio between two strategies: the median of the ratios of pairs, and an interval that says how sure
-/// the median is.
+/// The ratio between two trees: the median of the ratios of pairs, and an interval that says how sure the median is.
 /// Source: Efron, Bootstrap Methods, 1979.
 struct PairedRatio {
-    double median = 0;         ///< median of the clusters' medians
+    double median = 0;         ///< of the pairs
     double low = 0, high = 0;  ///< interval that holds the median of 95 in 100 resamples
     std::uint64_t pairs = 0;
-    std::uint64_t clusters = 0;
 };
 
-/// clusters: the ratios of each run's pairs; empty clusters do not count. A resample draws whole clusters,
-/// because pairs of one run are not independent. All clusters weigh equally, because many pairs do not make a
-/// run more reliable. Equal numbers give equal answers. Without any pair all fields are 0.
-PairedRatio pairedRatio(const std::vector<std::vector<double>>& clusters);
+/// A resample draws whole pairs. Equal numbers give equal answers. Without any pair all fields are 0.
+PairedRatio pairedRatio(const std::vector<double>& ratios);
 
-/// A row of statistics.csv: one measure, with a leaf split and with the baseline. The planner "all" stands
-/// for the calls of all planners.
-struct StatisticRow : CallsRow, PairedRatio {
+/// Microseconds of processor time for each unit of work, fitted to a scene's replays: non-negative least squares of the relative errors.
+struct WorkCosts {
+    double volumeTest = 0, trianglePair = 0, kernelLane = 0, call = 0;
+    double error = 0;  ///< root mean square of the relative errors
+};
+WorkCosts fitCosts(const std::vector<ReplayRow>& replays);
+
+/// The tables, as far as they concern one study.
+struct Measured {
+    std::vector<FilesRow> files;
+    std::vector<RunRow> runs;
+    std::vector<ReplayRow> replays;
+};
+
+/// A row of cells.csv. Times are medians of the runs that found a path, in seconds.
+struct CellRow : CallsRow {
+    std::uint64_t runs = 0, solved = 0;
+    Measure filesToPath;  ///< loading, building both trees, planning
+    Measure planning;     ///< to the first path
+    Measure calls, queries;
+    Measure querySeconds, queryShare;
+    /// Shares of the planning time, by the scene's fitted costs; the rest is spent elsewhere.
+    Measure volumeShare, triangleShare;
+    Measure leavesRatio;  ///< leaves of both trees over those with the first leaf split
+    /// The number of seeds with which the planner did the same as in the qualifying tree: see didTheSame().
+    std::uint64_t equalQuestions = 0;
+};
+
+/// Whether a planner made the same decisions in two trees: both runs checked as many states and motions, grew graphs of one size, and found
+/// paths of exactly one length. The clock, or distances in their last digits, can make a planner decide otherwise.
+bool didTheSame(const RunRow& a, const RunRow& b);
+
+Columns<CellRow> cellColumns();
+std::vector<CellRow> cellsOf(const Measured& measured, const StudyOptions& options);
+
+/// A row of ratios.csv: a measure in a tree over that in another tree. planner: "all" for replays.
+struct RatioRow : CallsRow, PairedRatio {
     std::string source;  ///< runs or replay
     std::string measure;
-    std::string baseline;  ///< the leaf split that the row's split is compared with
+    std::string baseline;  ///< the other tree, "sah/none"; it differs in the splits alone
 };
 
-/// scene, source, the engine's columns without the leaf split, planner, measure; leaf_split, baseline; ratio,
-/// low, high, pairs, clusters.
-Columns<StatisticRow> statisticColumns();
-
-/// For runs, the measures are first_solution_seconds, seconds_per_call (processor time),
-/// query_seconds_per_call, cost, volume_tests_per_query, triangle_tests_per_query, block_fill and kernel_fill
-/// (see SummaryRow). A call is a state or motion that the planner asked about. A pair is two runs of one
-/// seed; a pair with a disturbed run has no ratio of clock times. When only one run of a pair found a path,
-/// the other's first solution counts as found at its end, which brings the ratio nearer to 1 than it is.
+/// Each tree is compared with the tree of its general split without leaf splits, and with the qualifying tree.
 ///
-/// For replays, the measures are seconds, volume_tests, triangle_tests, block_fill and kernel_fill. A pair is
-/// a block, a cluster is a run.
-std::vector<StatisticRow> statisticsOf(const std::vector<RunRow>& runs, const std::vector<ReplayRow>& replays,
-                                       const std::string& baseline);
-
-/// A row of summary.csv: figures of a tree and planner, or of "all" planners. Rows of replays have only the
-/// columns from callsPerSecond on, without queryShare.
-struct SummaryRow : CallsRow {
-    std::string source;  ///< runs or replay
-    Count runs, solved;
-    Count disturbed;  ///< see RunRow::wasDisturbed
-    /// Medians of the solved runs.
-    Measure firstSolutionSeconds, finalSolutionSeconds, cost;
-    /// Means over the runs.
-    Measure stateChecks, motionChecks, motionCosts, distanceQueries, withinQueries;
-    Measure callsPerSecond;              ///< per second of processor time
-    Measure queryShare;                  ///< share of the runs' seconds
-    Measure volumeTests, triangleTests;  ///< per query
-    Measure blockFill;                   ///< share of places in use, in blocks of pairs of triangles
-    Measure kernelFill;                  ///< share of register lanes in use, in the full kernel
-};
-
-Columns<SummaryRow> summaryColumns();
-std::vector<SummaryRow> summaryOf(const std::vector<RunRow>& runs, const std::vector<ReplayRow>& replays);
+/// A pair of runs has one seed, and both found a path. For runs the measures are files_to_path, planning, queries (seconds in them),
+/// volume_tests and triangle_tests, of pairs that did the same; and files_to_path_any and planning_any, of all pairs, in which luck counts,
+/// too. A pair with a disturbed run has no ratio of times. There is no ratio where a tree solved fewer than kLeastSolved of its seeds, or
+/// fewer than half of them have a pair. For replays the measures are seconds, volume_tests and triangle_tests. A pair is a sample of
+/// calls, of any planner.
+Columns<RatioRow> ratioColumns();
+std::vector<RatioRow> ratiosOf(const Measured& measured, const StudyOptions& options);
 
 }  // namespace clearway::study

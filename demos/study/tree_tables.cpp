@@ -95,11 +95,9 @@ class Measuring {
     bool run(std::vector<TreeRow>& rows) {
         for (const BuildOptions& build : measuredTrees()) {
             if (options_.mustStop()) return false;
-            options_.report(problem_.name + ": tables, building " + nameOf(build));
             asked_.push_back(std::make_unique<Asked>(problem_, build));
             compareWithFirst(*asked_.back());
         }
-        options_.report(problem_.name + ": tables, " + std::to_string(poses_.size()) + " poses");
         if (!timeAll()) return false;
         for (std::size_t i = 0; i < asked_.size(); ++i) rows.push_back(rowOf(*asked_[i], times_[i]));
         return true;
@@ -305,18 +303,15 @@ Columns<TreeRow> treeColumns() {
             {"thesis_leaves", &Row::thesisLeaves}};
 }
 
-bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
-                  GrowingTable<TreeRow>& trees) {
-    const auto isOfScene = [&](const TreeRow& row) { return row.scene == problem.name; };
-    const auto there = std::count_if(trees.rows().begin(), trees.rows().end(), isOfScene);
-    if (static_cast<std::size_t>(there) >= measuredTrees().size()) return true;
-    if (there > 0) trees.remove(isOfScene);  // a program that ended early left only some of the rows
-    if (poses.empty())
-        throw std::invalid_argument(problem.name + " has no poses to measure at, expected at least one");
+std::size_t treeRowCount(const std::string& scene) {
+    return thesisSceneOf(scene) ? measuredTrees().size() : 0;
+}
+
+std::optional<std::vector<TreeRow>> measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses,
+                                                 const StudyOptions& options) {
     std::vector<TreeRow> rows;
-    if (!Measuring(problem, poses, options).run(rows)) return false;
-    trees.append(rows);
-    return true;
+    if (!Measuring(problem, poses, options).run(rows)) return std::nullopt;
+    return rows;
 }
 
 }  // namespace clearway::study

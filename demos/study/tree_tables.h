@@ -63,12 +63,13 @@ struct TreeRow {
 
 Columns<TreeRow> treeColumns();
 
-/// Measures the scene unless the table has it. One thread builds the trees. All trees are asked at equal
-/// poses, in turn, each pose with the warm start of the pose before. A block's time is the median of the
-/// repetitions, in processor time. poses: the problem's replay poses, or those of recorded calls. Returns
-/// false when the study was stopped: the table is then unchanged. Throws std::logic_error when two engines
-/// contradict each other.
-bool measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses, const StudyOptions& options,
-                  GrowingTable<TreeRow>& trees);
+/// The number of rows that a scene has; 0 for a scene that belongs to no family.
+std::size_t treeRowCount(const std::string& scene);
+
+/// Measures a scene. One thread builds the trees. All trees are asked at equal poses, in turn, each pose with the warm start of the pose
+/// before. A block's time is the median of the repetitions, in processor time. poses: at least one. Returns nothing when the study was
+/// stopped. Throws std::logic_error when two engines contradict each other.
+std::optional<std::vector<TreeRow>> measureTrees(const StudyProblem& problem, const std::vector<Pose>& poses,
+                                                 const StudyOptions& options);
 
 }  // namespace clearway::study

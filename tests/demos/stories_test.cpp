@@ -138,14 +138,16 @@ BOOST_AUTO_TEST_CASE(leaf_strategies_plan_by_the_same_motions_in_trees_with_ever
     std::istringstream lines(story.out);
     for (std::string line; std::getline(lines, line);) {
         std::smatch row;
-        const std::regex form("(\\w+) +" + kNumber + " +" + kNumber + " % +(\\d+) +(\\d+) +(\\d+) +(\\d+)");
+        const std::regex form("(\\w+) +" + kNumber + " +" + kNumber + " +" + kNumber +
+                              " +(\\d+) +(\\d+) +(\\d+) +(\\d+)");
         if (!std::regex_match(line, row, form)) continue;
         names.push_back(row[1]);
-        seconds.push_back(std::stod(row[2]));
-        BOOST_TEST(std::stod(row[3]) > 0);
-        BOOST_TEST(std::stod(row[3]) < 100);
-        decisions.insert({std::stod(row[4]), std::stod(row[5])});
-        leaves.push_back(std::stod(row[7]));
+        seconds.push_back(std::stod(row[3]));
+        BOOST_TEST(std::stod(row[2]) > seconds.back());
+        BOOST_TEST(std::stod(row[4]) > 0);
+        BOOST_TEST(std::stod(row[4]) < seconds.back());
+        decisions.insert({std::stod(row[5]), std::stod(row[6])});
+        leaves.push_back(std::stod(row[8]));
     }
     BOOST_TEST(names == leafSplitNames(), boost::test_tools::per_element());
     BOOST_TEST(decisions.size() == 1u);

@@ -90,6 +90,7 @@ class Improvements {
             [this, begin](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) {
                 last_ = secondsSince(begin);
                 if (!first_) first_ = last_;
+                hasFound_ = true;
             });
     }
     ~Improvements() { definition_.setIntermediateSolutionCallback(nullptr); }
@@ -99,10 +100,13 @@ class Improvements {
     /// The time of the first improvement; empty for planners that end with their first solution.
     const Measure& first() const { return first_; }
     const Measure& last() const { return last_; }
+    /// Asked while planners run, from any of their threads.
+    bool hasFound() const { return hasFound_; }
 
   private:
     ob::ProblemDefinition& definition_;
     Measure first_, last_;
+    std::atomic<bool> hasFound_{false};
 };
 
 /// Decides when a run's planner must end. Asked also within motions, and from several threads.
@@ -134,8 +138,11 @@ void solve(const PlanSetup& setup, const RunLimits& limits, RunEnd& end, Benchma
     const std::clock_t processorBegin = std::clock();
     end.begin();
     const Improvements improvements(*setup.definition, Clock::now());
-    const ob::PlannerTerminationCondition isSpent(
-        [&] { return end.spendIteration() || watch.isOutOfMemory(); });
+    const ob::PlannerTerminationCondition isSpent([&] {
+        if (limits.endsAtFirstPath && (improvements.hasFound() || setup.definition->hasExactSolution()))
+            return true;
+        return end.spendIteration() || watch.isOutOfMemory();
+    });
     ob::PlannerStatus status = ob::PlannerStatus::CRASH;
     try {
         status = planner.solve(isSpent);
@@ -225,6 +232,7 @@ void describeSolution(const PlanSetup& setup, bool simplify, const RunEnd& end, 
 Work::Work(const QueryTally& tally)
     : distanceQueries(tally.distances),
       withinQueries(tally.withins),
+      sweepQueries(tally.sweeps),
       volumeTests(tally.work.volumeTests),
       triangleTests(tally.work.triangleTests),
       triangleLanes(tally.work.triangleLanes),
@@ -232,7 +240,10 @@ Work::Work(const QueryTally& tally)
       kernelLanes(tally.work.kernelLanes) {}
 
 double Work::queries() const {
-    return static_cast<double>(distanceQueries.value_or(0)) + static_cast<double>(withinQueries.value_or(0));
+    double sum = 0;
+    for (const Count& count : {distanceQueries, withinQueries, sweepQueries})
+        sum += static_cast<double>(count.value_or(0));
+    return sum;
 }
 
 const std::vector<RunProperty>& runProperties() {
@@ -251,10 +262,10 @@ const std::vector<RunProperty>& runProperties() {
         {"certified", "correct solution strict BOOLEAN", &Run::isCertified},
         {"state_checks", "state checks INTEGER", &Run::stateChecks},
         {"motion_checks", "motion checks INTEGER", &Run::motionChecks},
-        {"motion_costs", "motion costs INTEGER", &Run::motionCosts},
         {"undecided_motions", "undecided motions INTEGER", &Run::undecidedMotions},
         {"distance_queries", "distance queries INTEGER", &Run::distanceQueries},
         {"within_queries", "within queries INTEGER", &Run::withinQueries},
+        {"sweep_queries", "sweep queries INTEGER", &Run::sweepQueries},
         {"query_seconds", "query time REAL", &Run::querySeconds},
         {"query_share", "query share REAL", &Run::queryShare},
         {"volume_tests", "volume tests INTEGER", &Run::volumeTests},

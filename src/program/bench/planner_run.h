@@ -24,7 +24,7 @@ using Properties = std::map<std::string, std::string>;
 
 /// Queries and the work that they did.
 struct Work {
-    Count distanceQueries, withinQueries;
+    Count distanceQueries, withinQueries, sweepQueries;
     Count volumeTests, triangleTests, triangleLanes, kernelPairs, kernelLanes;
 
     Work() = default;
@@ -44,7 +44,7 @@ struct RunMeasures : Work, PathMeasures {
     Count isSolved, status;
     Measure seconds, processorSeconds;
     Measure firstSolutionSeconds, finalSolutionSeconds;
-    Count stateChecks, motionChecks, motionCosts, undecidedMotions;
+    Count stateChecks, motionChecks, undecidedMotions;
     Measure querySeconds;  ///< in the checker, the validator and the objective; see Recorder::seconds()
     Measure queryShare;    ///< share of `seconds`
     Count graphStates, graphMotions;
@@ -88,6 +88,7 @@ struct RunLimits {
     std::function<bool()> isStopped;
     std::optional<CallWatch> watch = {};
     std::optional<std::uint64_t> iterations = {};  ///< how often the planner may ask whether to end
+    bool endsAtFirstPath = false;                  ///< also planners that improve their path
 };
 
 /// Plans the problem, which names one planner, with that planner and the options' seed. Returns nothing when

@@ -1,20 +1,22 @@
 """Tables and plot of a leaf-strategy study: those of docs/leaf_strategies.md, and `report --study` for a study of your own."""
 
+import math
 from statistics import median
 
 from results import NotMeasured, Results, distinct, matching, numbers, read, shown, span, table
-from svg import DARK, LIGHT, Log, Page, text_width
+from svg import DARK, GREY, LIGHT, Log, Page, text_width
 
-FILES = ("runs", "statistics", "trees", "claims")
+FILES = ("files", "qualified", "cells", "ratios", "trees", "claims")
+NONE = "none"  # the leaf split that the others are compared with
+GENERALS = ("sah", "axis", "mean")
+BEST = "sah/none"  # the tree that planners qualify in
 USUAL = {"leaf_size": "4", "node_width": "8", "instructions": "best"}
-CHECKS = ("state_checks", "motion_checks", "motion_costs")
-LEAST_SHARE = 0.95  # of a processor; a run with less was disturbed, as in demos/study/planner_runs.cpp
 
-COLOURS = {"none": "#666666", "chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3", "cost": "#e7298a"}
-TICKS = (0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.4, 2, 3, 5, 7, 10, 20)
-PAGE, GAP, LINE = 1000, 30, 30  # pixels: of the page's width, between panels, of a line's height
-COLUMNS = 3  # scenes beside each other, at most
-SHIFT = 7  # between the leaf splits of a line
+COLOURS = {"chain": "#1b9e77", "edge": "#d95f02", "all": "#7570b3", "cost": "#e7298a"}
+PARTS = {"loading": "#bdbdbd", "building": "#737373", "volumes": "#4393c3", "triangles": "#d6604d", "elsewhere": "#e4e4e4"}
+TICKS = (0.2, 0.3, 0.5, 0.7, 1, 1.4, 2, 3, 5, 7, 10)
+PAGE, LINE, GAP = 1100, 30, 36  # pixels: of the page's width, of a line's height, between panels
+SHIFT = 6  # between the leaf splits of a line
 
 
 def joined(folders):
@@ -25,88 +27,111 @@ def joined(folders):
     return results
 
 
-def tree(row):
-    parts = [row["general_split"]]
-    if row["leaf_size"] != "4":
-        parts.append(f"leaves of {row['leaf_size']}")
-    if row["node_width"] != "8":
-        parts.append(f"width {row['node_width']}")
-    if row["instructions"] != "best":
-        parts.append(row["instructions"])
-    return ", ".join(parts)
+def mean(values):
+    """The geometric mean."""
+    return math.exp(sum(map(math.log, values)) / len(values))
 
 
-def two_decimals(value):
-    return f"{value:.2f}"
+def per_cent(ratio):
+    """A ratio as a change: -12 %, +30 %; from twice on as a factor."""
+    if ratio >= 1.995:
+        return f"{ratio:.1f} x"
+    change = round(100 * (ratio - 1))
+    return f"{change:+d} %" if change else "0 %"
 
 
-def leaves(results, general, leaf, baseline):
-    """How many times as many leaves, in the trees of the scenes' environments."""
-    rows = matching(results.rows("leaf_strategies/trees"), general_split=general, node_width="8")
-    counts = {(row["scene"], row["leaf_split"]): int(row["leaves"]) for row in rows}
-    return [count / counts[scene, baseline] for (scene, split), count in counts.items() if split == leaf and (scene, baseline) in counts]
+def changes(values):
+    """The geometric mean, and the least and the largest."""
+    if not values:
+        return "-"
+    return f"{per_cent(mean(values))} ({per_cent(min(values))} to {per_cent(max(values))})"
+
+
+def ratios(results, source, measure, general, leaf, baseline):
+    """The rows of a tree over another one, without those of all planners together for runs, and with them alone for replays."""
+    rows = matching(results.rows("leaf_strategies/ratios"), source=source, measure=measure, general_split=general, leaf_split=leaf,
+                    baseline=baseline, **USUAL)
+    return [row for row in rows if (row["planner"] == "all") == (source == "replay")]
+
+
+def by_scene(rows):
+    """From a scene to the ratios of its planners."""
+    found = {}
+    for row in rows:
+        found.setdefault(row["scene"], []).append(float(row["ratio"]))
+    return found
+
+
+def scene_means(rows):
+    """A geometric mean over the planners for each scene, so that scenes count alike."""
+    return [mean(values) for values in by_scene(rows).values()]
+
+
+def certain(rows):
+    gains = sum(float(row["high"]) < 1 for row in rows)
+    losses = sum(float(row["low"]) > 1 for row in rows)
+    return f"{gains}, {losses} of {len(rows)}"
+
+
+def leaves(results, general, leaf):
+    """How many times as many leaves both trees have as without leaf splits, in each scene."""
+    counts = {(row["scene"], row["leaf_split"]): int(row["leaves"]) for row in results.select("leaf_strategies/files", general_split=general)}
+    return [count / counts[scene, NONE] for (scene, split), count in counts.items() if split == leaf and (scene, NONE) in counts]
+
+
+def trees(results):
+    """All trees, each with its leaf splits and over which tree they are measured."""
+    rows = results.rows("leaf_strategies/ratios")
+    present = set(distinct(rows, "general_split"))
+    for general in (name for name in GENERALS if name in present):
+        if f"{general}/{NONE}" != BEST:
+            yield general, NONE, BEST
+        for leaf in COLOURS:
+            if any(row["leaf_split"] == leaf for row in rows):
+                yield general, leaf, f"{general}/{NONE}"
 
 
 def summary(results):
-    """A row a general split and leaf split; each cell is a range over the planners and scenes."""
-    rows = [row for row in results.select("leaf_strategies/statistics", source="runs", **USUAL) if row["planner"] != "all"]
-    baseline = rows[0]["baseline"]
+    """A row a tree; each cell is the geometric mean over the scenes, with the range of the scenes."""
     lines = []
-    for general in sorted(distinct(rows, "general_split"), reverse=True):
-        for leaf in (split for split in COLOURS if any(row["leaf_split"] == split for row in rows)):
-            of = matching(rows, general_split=general, leaf_split=leaf)
-            cells = [span(numbers(matching(of, measure=name), "ratio"), two_decimals)
-                     for name in ("seconds_per_call", "query_seconds_per_call", "triangle_tests_per_query", "volume_tests_per_query")]
-            calls = matching(of, measure="seconds_per_call")
-            certain = f"{sum(float(row['high']) < 1 for row in calls)} of {len(calls)}"
-            lines.append([f"`{general}`, `{leaf}`", cells[0], certain, *cells[1:], span(leaves(results, general, leaf, baseline), two_decimals)])
-    return table([f"over `{baseline}` in the same tree", "time of a call", "certain gains", "query time of a call", "pairs of triangles",
-                  "pairs of volumes", "leaves"], lines)
+    for general, leaf, baseline in trees(results):
+        files, planning, asked = (ratios(results, source, measure, general, leaf, baseline)
+                                  for source, measure in (("runs", "files_to_path"), ("runs", "planning"), ("replay", "seconds")))
+        more = changes(leaves(results, general, leaf)) if leaf != NONE else ""
+        lines.append([f"`{general}/{leaf}` over `{baseline}`", changes(scene_means(files)), changes(scene_means(planning)), certain(planning),
+                      changes(scene_means(asked)), more])
+    return table(["tree", "files to path", "planning", "planners certainly faster, slower", "same queries again", "leaves"], lines)
 
 
-def was_disturbed(run):
-    return float(run["processor_seconds"]) < LEAST_SHARE * float(run["seconds"])
+def shares(cells):
+    """Medians over the planners of the time's shares in volumes and in triangles, or nothing."""
+    known = [row for row in cells if row["volume_share"]]
+    if not known:
+        return None
+    return [median(numbers(known, column)) for column in ("volume_share", "triangle_share")]
 
 
-def over_general(runs, column):
-    """The median over pairs of runs with one seed of axis over sah, for each scene."""
-    found = []
-    for scene in distinct(runs, "scene"):
-        of = {(row["general_split"], row["seed"]): row for row in matching(runs, scene=scene)}
-        pairs = [(row, of["sah", seed]) for (general, seed), row in of.items() if general == "axis" and ("sah", seed) in of]
-        if column == "query_seconds":
-            pairs = [pair for pair in pairs if not any(map(was_disturbed, pair))]
-        each = [[float(row[column]) / max(1, sum(int(row[name]) for name in CHECKS)) for row in pair] for pair in pairs]
-        quotients = [here / there for here, there in each if there]
-        if quotients:
-            found.append(median(quotients))
-    if not found:
-        raise NotMeasured("runs.csv, pairs of runs with axis and with sah")
-    return span(found, two_decimals)
-
-
-def general(results):
-    """axis over sah, both without leaf splits: a row a planner, ranges over the scenes."""
-    runs = results.select("leaf_strategies/runs", leaf_split="none")
-    return table(["`axis` over `sah`", "time of a call", "query time of a call"],
-                 [[planner] + [over_general(matching(runs, planner=planner), column) for column in ("processor_seconds", "query_seconds")]
-                  for planner in distinct(runs, "planner")])
-
-
-def best_replays(results):
-    """The replays that gain most by a leaf split: a row a tree, the least ratio over scenes and planners."""
-    rows = [row for row in results.select("leaf_strategies/statistics", source="replay", measure="seconds") if row["planner"] != "all"]
-    rows.sort(key=lambda row: (row["general_split"], int(row["leaf_size"])))
-    splits = [split for split in COLOURS if any(row["leaf_split"] == split for row in rows)]
+def scenes(results):
+    """A row a scene, in trees of sah: what the time is spent on, and what the leaf splits change."""
     lines = []
-    for name in dict.fromkeys(map(tree, rows)):
-        cells = []
-        for leaf in splits:
-            of = [row for row in rows if tree(row) == name and row["leaf_split"] == leaf]
-            best = min(of, key=lambda row: float(row["ratio"]), default=None)
-            cells.append(f"{two_decimals(float(best['ratio']))} ({best['planner']}, {best['scene']})" if best else "")
-        lines.append([name] + cells)
-    return table([f"replayed calls over `{rows[0]['baseline']}`, the best case"] + splits, lines)
+    cells = results.rows("leaf_strategies/cells")
+    for scene in distinct(cells, "scene"):
+        own = matching(cells, scene=scene, general_split="sah", leaf_split=NONE)
+        files = results.row("leaf_strategies/files", scene=scene, general_split="sah", leaf_split=NONE)
+        found = shares(own)
+        line = [scene, shown(int(files["triangles"])), shown(float(files["load_seconds"]) + float(files["build_seconds"])),
+                f"{span(numbers(own, 'planning_seconds'), shown)} ({len(own)})",
+                f"{100 * found[0]:.0f}, {100 * found[1]:.0f} %" if found else "-"]
+        for leaf in ("chain", "edge", "all", "cost"):
+            line.append("; ".join(per_cent(mean(values)) if values else "-" for values in (
+                scene_values(ratios(results, "runs", measure, "sah", leaf, BEST), scene) for measure in ("files_to_path", "planning"))))
+        lines.append(line)
+    return table(["scene", "triangles", "s of loading and building", "s of planning (planners)", "time in volumes, triangles",
+                  "`chain`: files to path; planning", "`edge`", "`all`", "`cost`"], lines)
+
+
+def scene_values(rows, scene):
+    return by_scene(rows).get(scene, [])
 
 
 def claims(results):
@@ -122,10 +147,18 @@ def claims(results):
     return table(["the thesis's claim", "its ratio", "in its own engine, scenes", "in clearway's, scenes"], lines)
 
 
+def answer(results):
+    """The study's two sentences."""
+    file = results.folder / "leaf_strategies" / "answer.txt"
+    if not file.exists():
+        raise NotMeasured(str(file))
+    return [f"> {line}" for line in file.read_text(encoding="utf-8").splitlines()]
+
+
 def all_tables(results):
     """The tables of a study, one after the other; those that it has no runs for are left out."""
     lines = []
-    for make in (summary, general, best_replays, claims):
+    for make in (summary, scenes, claims):
         try:
             lines += make(results) + [""]
         except NotMeasured:
@@ -133,76 +166,66 @@ def all_tables(results):
     return lines
 
 
-def lines_by_planner(rows):
-    """From a line's label to its rows: the runs and their replay, planner by planner."""
-    lines = {}
-    for source, measure in (("runs", "seconds_per_call"), ("replay", "seconds")):
-        for row in matching(rows, source=source, measure=measure, **USUAL):
-            if row["planner"] != "all" and row["general_split"] != "mean":
-                lines.setdefault(f"{row['planner']}, {row['general_split']}", []).append(row)
-    return dict(sorted(lines.items()))
-
-
-def lines_by_tree(rows):
-    """The lines of a general split: the usual tree, then other leaf sizes, other widths and other instructions."""
-    replayed = matching(rows, source="replay", measure="seconds", planner="all")
-    replayed.sort(key=lambda row: (row["general_split"], row["instructions"] != "best", -int(row["node_width"]), int(row["leaf_size"]),
-                                   row["instructions"]))
-    lines = {}
-    for row in replayed:
-        lines.setdefault(tree(row), []).append(row)
-    return lines
-
-
-def draw(page, scene, lines, splits, left, right, top, limits):
+def draw_ratios(page, results, general, names, left, right, top, limits):
+    """A panel: for each scene and leaf split the time over no leaf split, files to path (full) and planning (hollow)."""
     x = Log(*limits, left, right)
-    bottom = top + LINE * len(lines)
+    bottom = top + LINE * len(names)
     for tick in TICKS:
         if limits[0] <= tick <= limits[1]:
             page.line(x(tick), top, x(tick), bottom, DARK if tick == 1 else LIGHT, 0.8)
-            page.text(x(tick), bottom + 14, f"{tick:g}", 11, "middle")
-    page.text(left, top - 8, scene, 13)
-    for i, rows in enumerate(lines.values()):
-        middle = top + LINE * (i + 0.5)
-        for row in matching(rows, scene=scene):
-            is_run = row["source"] == "runs"
-            y = middle + SHIFT * (splits.index(row["leaf_split"]) - (len(splits) - 1) / 2) + (2 if is_run else -2)
-            ratio, low, high = (x(min(max(float(row[name]), limits[0]), limits[1])) for name in ("ratio", "low", "high"))
-            page.line(low, y, high, y, COLOURS[row["leaf_split"]], 0.8 if is_run else 1.6)
-            page.mark("circle", ratio, y, COLOURS[row["leaf_split"]], 2.5, not is_run)
+            page.text(x(tick), bottom + 14, per_cent(tick).replace(" %", "").replace(" x", "x"), 10, "middle")
+    page.text(left, top - 8, f"trees of {general}", 13)
+    for k, leaf in enumerate(COLOURS):
+        for measure, full in (("planning", False), ("files_to_path", True)):
+            rows = by_scene(ratios(results, "runs", measure, general, leaf, f"{general}/{NONE}"))
+            for i, scene in enumerate(names):
+                if scene not in rows:
+                    continue
+                y = top + LINE * (i + 0.5) + SHIFT * (k - (len(COLOURS) - 1) / 2)
+                low, middle, high = (x(min(max(value, limits[0]), limits[1])) for value in (min(rows[scene]), mean(rows[scene]), max(rows[scene])))
+                if not full:
+                    page.line(low, y, high, y, COLOURS[leaf], 0.8)
+                page.mark("circle", middle, y, COLOURS[leaf], 2.6, full)
+
+
+def draw_shares(page, results, names, left, right, top):
+    """A panel: what the time from files to a path is spent on, in trees of sah without leaf splits."""
+    cells = results.rows("leaf_strategies/cells")
+    page.text(left, top - 8, "time in sah/none, files to path", 13)
+    for i, scene in enumerate(names):
+        files = results.row("leaf_strategies/files", scene=scene, general_split="sah", leaf_split=NONE)
+        own = matching(cells, scene=scene, general_split="sah", leaf_split=NONE)
+        found = shares(own)
+        planning = median(numbers(own, "planning_seconds") or [0])
+        parts = [float(files["load_seconds"]), float(files["build_seconds"])]
+        parts += [planning * share for share in found] if found else [0, 0]
+        parts.append(sum(parts[:2]) + planning - sum(parts))
+        whole, begin = sum(parts), left
+        for colour, part in zip(PARTS.values(), parts):
+            end = begin + (right - left) * max(part, 0) / whole
+            page.line(begin, top + LINE * (i + 0.5), end, top + LINE * (i + 0.5), colour, 12)
+            begin = end
 
 
 def plot(results):
-    """The text of the SVG file: the time of each leaf split over no split, with intervals, one column a scene, COLUMNS of them in a row.
-
-    Above, by planner: the planner's own seconds per call (hollow) and the seconds of these calls replayed (full). Below, by tree and
-    instruction set: the replayed calls of all planners.
-    """
-    rows = results.rows("leaf_strategies/statistics")
-    scenes = sorted(distinct(rows, "scene"))
-    splits = [split for split in COLOURS if any(row["leaf_split"] == split for row in rows)]
-    parts = {"by planner": lines_by_planner(rows), "by tree": lines_by_tree(rows)}
-    shown = [row for lines in parts.values() for of in lines.values() for row in of]
-    lows, highs = ([float(row[name]) for row in shown] for name in ("low", "high"))
-    limits = (max([tick for tick in TICKS if tick <= min(lows)], default=TICKS[0]),
-              min([tick for tick in TICKS if tick >= max(highs)], default=TICKS[-1]))
-    bands = [(what, scenes[i:i + COLUMNS]) for what in parts for i in range(0, len(scenes), COLUMNS)]
-    page = Page(PAGE, sum(LINE * len(parts[what]) + 80 for what, _ in bands) + 60)
-    labels = 20 + max(text_width(label, 12) for lines in parts.values() for label in lines)
-    width = (PAGE - labels) / min(COLUMNS, len(scenes))
+    """The text of the SVG file: one panel a general split, a line a scene; the last panel says what the time is spent on."""
+    rows = results.rows("leaf_strategies/ratios")
+    names = [name for name in distinct(results.rows("leaf_strategies/files"), "scene") if any(row["scene"] == name for row in rows)]
+    generals = [general for general in GENERALS if any(row["general_split"] == general for row in rows)]
+    page = Page(PAGE, LINE * len(names) + 150)
+    labels = 30 + max(text_width(name, 12) for name in names)
+    width = (PAGE - labels) / (len(generals) + 1)
     top = 30
-    for what, beside in bands:
-        lines = parts[what]
-        page.text(labels - 10, top - 8, what, 13, "end")
-        for i, label in enumerate(lines):
-            page.text(labels - 10, top + LINE * (i + 0.5) + 4, label, 12, "end")
-        for column, scene in enumerate(beside):
-            left = labels + width * column
-            draw(page, scene, lines, splits, left, left + width - GAP, top, limits)
-        top += LINE * len(lines) + 80
-        page.text((labels + PAGE - GAP) / 2, top - 48, f"seconds over those of '{rows[0]['baseline']}'", 12, "middle")
-    entries = [("circle", COLOURS[split], True, split) for split in splits]
-    entries += [("circle", "#666666", True, "the same calls, replayed"), ("circle", "#666666", False, "a planner's own seconds for each call")]
-    page.legend(entries, 40, page.size[1] - 38)
-    page.text(34, page.size[1] - 14, "Bars are 95 % intervals.", 12)
+    for i, name in enumerate(names):
+        page.text(labels - 10, top + LINE * (i + 0.5) + 4, name, 12, "end")
+    for k, general in enumerate(generals):
+        left = labels + width * k
+        draw_ratios(page, results, general, names, left, left + width - GAP, top, (0.5, 5))
+    draw_shares(page, results, names, labels + width * len(generals), PAGE - GAP, top)
+    bottom = top + LINE * len(names)
+    page.text(labels, bottom + 34, f"per cent of time over '{NONE}' in the same trees; bars span the planners", 12)
+    entries = [("circle", colour, True, split) for split, colour in COLOURS.items()]
+    entries += [("circle", GREY, True, "from files to path"), ("circle", GREY, False, "planning alone")]
+    page.legend(entries, 40, bottom + 64)
+    page.legend([("square", colour, True, part) for part, colour in PARTS.items()], 40, bottom + 90)
     return page.write()

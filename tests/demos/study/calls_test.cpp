@@ -16,8 +16,7 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     const TemporaryFolder folder;
     const std::vector<CallBlock> blocks = {
         {Call{CallKind::kState, {0.1, -2e-300}, {}}, Call{CallKind::kMotion, {1.0 / 3, 2}, {3, 4}}},
-        {Call{CallKind::kForwardMotion, {1, 2}, {5, 6}}, Call{CallKind::kClearance, {1, 2}, {}},
-         Call{CallKind::kMotionCost, {1, 2}, {7, 8}}}};
+        {Call{CallKind::kForwardMotion, {1, 2}, {5, 6}}, Call{CallKind::kClearance, {1, 2}, {}}}};
     writeCalls(callsText(blocks), folder.file("a.calls"));
     const auto read = readCalls(folder.file("a.calls"));
     BOOST_TEST_REQUIRE(read.size() == blocks.size());

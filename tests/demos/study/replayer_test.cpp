@@ -84,9 +84,8 @@ BOOST_AUTO_TEST_CASE(planners_that_improve_tell_of_their_first_and_their_last_so
 }
 
 BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
-    for (const auto& [planner, objective] :
-         {std::pair("RRTConnect", ""), std::pair("KPIECE1", ""), std::pair("BITstar", "max_min_clearance")}) {
-        const TracedRun run = runTraced(planner, objective, 0.5);
+    for (const char* planner : {"RRTConnect", "KPIECE1", "BITstar"}) {
+        const TracedRun run = runTraced(planner, "", 0.5);
         BOOST_TEST_REQUIRE(!run.calls.empty());
         std::set<CallKind> kinds;
         for (const CallBlock& block : run.calls) {
@@ -94,7 +93,6 @@ BOOST_AUTO_TEST_CASE(recorded_calls_answer_alike_with_all_trees) {
         }
         BOOST_TEST(kinds.count(planner == std::string("KPIECE1") ? CallKind::kForwardMotion
                                                                  : CallKind::kMotion) == 1u);
-        if (*objective) BOOST_TEST(kinds.count(CallKind::kMotionCost) == 1u);
 
         std::vector<std::vector<CallAnswer>> first;
         for (const char* leafSplit : {"none", "chain", "all"}) {

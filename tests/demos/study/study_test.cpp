@@ -4,29 +4,28 @@
 #include <set>
 #include <sstream>
 
-#include "program/bench/benchmark_log.h"
-#include "program/cli/window_folder.h"
+#include "clearway/problem.h"
+#include "program/cli/run_program.h"
 #include "support/full_run.h"
 
 namespace clearway::testing {
-
-using study::Benchmark;
-using study::readBenchmarkLog;
 
 BOOST_AUTO_TEST_SUITE(study_test)
 
 namespace {
 
-/// Eight runs: two planners, two strategies, two seeds. RRTstar takes all of its time.
-constexpr const char* kStudy =
-    "window.cfg --short --time 0.3 --planner RRTConnect --planner rrtstar "
-    "--general-split sah --leaf-split none --leaf-split all";
+/// RRTConnect takes some 20 ms for a path through the window. 3 general splits less one, 5 leaf splits, 15 seeds: 150 paired runs.
+constexpr const char* kStudy = "window/window.cfg --short --planner RRTConnect --seeds 15 --out study";
+constexpr std::size_t kRuns = 150;
 
 Outcome runStudy(const TemporaryFolder& folder, const std::string& arguments) {
     return runIn(folder, arguments, kStudyProgram);
 }
 
-using StudyFolder = WindowProblemFolder;
+/// A folder with a problem of the data.
+struct StudyFolder : TemporaryFolder {
+    StudyFolder() { std::filesystem::copy(CLEARWAY_DATA_DIR "/window", file("window")); }
+};
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -47,31 +46,24 @@ Rows readRows(const std::string& file) {
     return rowsOf(readText(file));
 }
 
-/// Each row's scene, planner, strategy and seed.
-std::vector<std::string> keys(const Rows& rows) {
-    std::vector<std::string> all;
-    for (const auto& row : rows)
-        all.push_back(row[0] + " " + row[1] + " " + row[2] + "/" + row[3] + " " + row[4]);
-    return all;
-}
-
-/// The values of RRTConnect's runs that a seed decides: length, states and motions checked. A run may find no path in its time,
-/// here or in `others`, which are the same runs; then the clock decides them.
-std::vector<std::string> decided(const Rows& rows, const Rows& others) {
-    std::vector<std::string> all;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto& row = rows[i];
-        const bool bothFoundPath = row[5] == "1" && others.at(i)[5] == "1";
-        if (row[1] == "RRTConnect" && bothFoundPath) all.push_back(row[12] + " " + row[15] + " " + row[16]);
-    }
-    return all;
-}
-
-/// The first columns of replays and of trees, which identify a row.
-std::multiset<std::string> trees(const Rows& rows) {
+/// Each row's scene, planner, tree and seed, and what a seed decides where it found a path: its length, and how many states and motions
+/// it asked about.
+std::multiset<std::string> decided(const Rows& rows) {
     std::multiset<std::string> all;
     for (const auto& row : rows)
-        all.insert(row[0] + " " + row[1] + " " + row[2] + " " + row[3] + " " + row[4]);
+        all.insert(row[0] + " " + row[1] + " " + row[2] + "/" + row[3] + " " + row[4] + " " + row[5] + " " +
+                   (row[5] == "1" ? row[12] + " " + row[15] + " " + row[16] : ""));
+    return all;
+}
+
+/// The first columns of replays, which identify a row.
+std::multiset<std::string> samples(const Rows& rows) {
+    std::multiset<std::string> all;
+    for (const auto& row : rows) {
+        std::string key;
+        for (std::size_t i = 0; i < 8; ++i) key += row[i] + " ";
+        all.insert(key);
+    }
     return all;
 }
 
@@ -82,153 +74,134 @@ void overwrite(const std::string& file, const std::string& text) {
 /// Ends the study by the signal when this many runs are in its table.
 Outcome runAndEnd(const StudyFolder& folder, const char* signal, int runs) {
     const std::string countLines = "$(cat '" + folder.file("study/runs.csv") + "' 2>/dev/null | wc -l)";
-    return runStudy(folder, std::string(kStudy) + " --out study & program=$!; while [ " + countLines +
-                                " -le " + std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
+    return runStudy(folder, std::string(kStudy) + " & program=$!; while [ " + countLines + " -le " +
+                                std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
                                 " $program; wait $program");
-}
-
-void requireTablesAndLogs(const StudyFolder& folder, const Outcome& outcome) {
-    BOOST_TEST(holds(outcome.out, "cost of the answers", "the thesis's claims", "95 % interval"));
-    BOOST_TEST(holds(outcome.err, "run 1 of 8, RRTConnect sah/none seed 1"), outcome.err);
-    for (const char* split : {"none", "all"}) {
-        const Benchmark log =
-            readBenchmarkLog(folder.file(std::string("study/logs/window_sah_") + split + ".log"));
-        BOOST_TEST(log.experiment == "window");
-        BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == split);
-        BOOST_TEST(log.parameters.at("general_split VARCHAR") == "sah");
-        BOOST_TEST_REQUIRE(log.planners.size() == 2u);
-        BOOST_TEST(log.planners[0].name == "geometric_RRTConnect");
-        BOOST_TEST_REQUIRE(log.planners[0].runs.size() == 2u);
-        BOOST_TEST(log.planners[0].runs[1].properties.at("seed INTEGER") == "2");
-        for (const auto& row : readRows(folder.file("study/runs.csv"))) {
-            if (row[1] == "RRTConnect" && row[3] == split && row[4] == "1")
-                BOOST_TEST(log.planners[0].runs[0].properties.at("solved BOOLEAN") == row[5]);
-        }
-    }
-    std::set<std::string> trees;
-    for (const auto& row : readRows(folder.file("study/replay.csv")))
-        trees.insert(row[1] + " " + row[2] + " " + row[3]);
-    for (const char* tree : {"sah 4 8", "sah 8 8", "sah 16 8", "sah 4 2", "mean 4 8"})
-        BOOST_TEST(trees.count(tree) == 1u, tree);
-    for (const char* table : {"statistics.csv", "summary.csv", "claims.csv", "trees.csv"})
-        BOOST_TEST(!readRows(folder.file(std::string("study/") + table)).empty(), table);
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_or_repeating_runs) {
     const StudyFolder whole, stopped;
-    const Outcome atOnce = runStudy(whole, std::string(kStudy) + " --out study");
+    const Outcome atOnce = runStudy(whole, kStudy);
     BOOST_TEST_REQUIRE(atOnce.code == 0, atOnce.err);
-    requireTablesAndLogs(whole, atOnce);
+    BOOST_TEST(
+        holds(atOnce.out, "For one path, from files to the path, take ", "For thousands of queries, take "),
+        atOnce.out);
+    BOOST_TEST(std::count(atOnce.out.begin(), atOnce.out.end(), '\n') == 3);  // two sentences and the folder
+    BOOST_TEST(readText(whole.file("study/answer.txt")) == atOnce.out.substr(0, atOnce.out.find("study:")));
     const Rows expected = readRows(whole.file("study/runs.csv"));
-    BOOST_TEST_REQUIRE(expected.size() == 8u);
+    BOOST_TEST_REQUIRE(expected.size() == kRuns);
+    for (const char* table : {"files.csv", "qualification.csv", "cells.csv", "ratios.csv", "replay.csv"})
+        BOOST_TEST(!readRows(whole.file(std::string("study/") + table)).empty(), table);
+    BOOST_TEST(readRows(whole.file("study/files.csv")).size() == 10u);
+    for (const auto& row : readRows(whole.file("study/cells.csv"))) {
+        BOOST_TEST(row[4] == "15");
+        BOOST_TEST(row[5] == "15", row[2] << "/" << row[3] << " solved " << row[5]);
+        // A planner that does not look at the clock asks the same in every tree.
+        BOOST_TEST(row[15] == "15",
+                   row[2] << "/" << row[3] << ": equal questions with " << row[15] << " seeds");
+    }
 
-    const Outcome interrupted = runAndEnd(stopped, "INT", 2);
+    const Outcome interrupted = runAndEnd(stopped, "INT", 10);
     BOOST_TEST(interrupted.code == 1, interrupted.err);
     BOOST_TEST(holds(row(interrupted, "study"), "interrupted"));
     const std::string first = readText(stopped.file("study/runs.csv"));
-    BOOST_TEST(readRows(stopped.file("study/runs.csv")).size() < 8u);
+    BOOST_TEST(rowsOf(first).size() < kRuns);
 
-    runAndEnd(stopped, "KILL", 5);
+    runAndEnd(stopped, "KILL", 40);
     const std::string second = readText(stopped.file("study/runs.csv"));
     BOOST_TEST(second.find(first) == 0u);
     {  // as if the machine had gone down while a line was written
         std::ofstream cut(stopped.file("study/runs.csv"), std::ios::app);
         cut << "window,RRTConnect,sah,all";
     }
-    const Outcome last = runStudy(stopped, std::string(kStudy) + " --out study");
+    const Outcome last = runStudy(stopped, kStudy);
     BOOST_TEST(last.code == 0, last.err);
     BOOST_TEST(readText(stopped.file("study/runs.csv")).find(second) == 0u);
-    const Rows rows = readRows(stopped.file("study/runs.csv"));
-    BOOST_TEST(keys(rows) == keys(expected), boost::test_tools::per_element());
-    BOOST_TEST(decided(rows, expected) == decided(expected, rows), boost::test_tools::per_element());
-    const auto replayed = [](const StudyFolder& folder) {
-        const auto all = trees(readRows(folder.file("study/replay.csv")));
-        return std::set<std::string>(all.begin(), all.end());
-    };
-    BOOST_TEST(replayed(stopped) == replayed(whole), boost::test_tools::per_element());
+    BOOST_TEST(decided(readRows(stopped.file("study/runs.csv"))) == decided(expected),
+               boost::test_tools::per_element());
+    const std::string replays = readText(stopped.file("study/replay.csv"));
+    BOOST_TEST(samples(rowsOf(replays)) == samples(readRows(whole.file("study/replay.csv"))),
+               boost::test_tools::per_element());
 
-    // As if the study had been killed there.
-    for (const char* table : {"study/replay.csv", "study/trees.csv"}) {
-        const std::string text = readText(stopped.file(table));
-        const std::size_t cut = text.rfind('\n', text.size() - 2) + 1;
-        overwrite(stopped.file(table), text.substr(0, cut));
-        BOOST_TEST(runStudy(stopped, std::string(kStudy) + " --out study").code == 0);
-        const std::string again = readText(stopped.file(table));
-        BOOST_TEST(std::count(again.begin(), again.end(), '\n') ==
-                   std::count(text.begin(), text.end(), '\n'));
-        BOOST_TEST(trees(rowsOf(again)) == trees(rowsOf(text)), boost::test_tools::per_element());
-    }
-
-    const std::string before =
-        readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv"));
-    BOOST_TEST(runStudy(stopped, std::string(kStudy) + " --out study").code == 0);
-    BOOST_TEST(readText(stopped.file("study/replay.csv")) + readText(stopped.file("study/runs.csv")) ==
-               before);
+    // As if the study had been killed while it wrote a job's rows.
+    overwrite(stopped.file("study/replay.csv"),
+              replays.substr(0, replays.rfind('\n', replays.size() - 2) + 1));
+    const std::string before = readText(stopped.file("study/runs.csv"));
+    BOOST_TEST(runStudy(stopped, kStudy).code == 0);
+    BOOST_TEST(samples(readRows(stopped.file("study/replay.csv"))) == samples(rowsOf(replays)),
+               boost::test_tools::per_element());
+    BOOST_TEST(readText(stopped.file("study/runs.csv")) == before);
 }
 
 BOOST_AUTO_TEST_CASE(other_options_than_those_of_the_folder_and_a_run_that_is_there_twice_are_refused) {
     const StudyFolder folder;
-    const std::string command =
-        "window.cfg --short --planner RRTConnect --seeds 1 --time 2 "
-        "--general-split sah --leaf-split none --leaf-split all --out study";
+    const std::string command = "window/window.cfg --short --planner RRTConnect --seeds 2 --out study";
     BOOST_TEST_REQUIRE(runStudy(folder, command).code == 0);
     const auto other = [&](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);
     };
-    requireRefused(folder, other(command, "--time 2", "--time 3"), {"seconds '2', not '3'", "another folder"},
+    requireRefused(folder, other(command, "--seeds 2", "--seeds 3"), {"seeds '2', not '3'", "another folder"},
                    kStudyProgram);
-    requireRefused(folder, other(command, "--seeds 1", "--seeds 2"), {"seeds '1', not '2'"}, kStudyProgram);
-    requireRefused(folder, other(command, "split none --leaf-split all", "split none --leaf-split edge"),
-                   {"leaf splits 'none all', not 'none edge'"}, kStudyProgram);
-    requireRefused(folder, other(command, " --leaf-split none --leaf-split all", ""),
-                   {"leaf splits 'none all', not 'none chain edge all'"}, kStudyProgram);
+    requireRefused(folder, other(command, "--short", "--short --minutes 2"), {"minutes '1', not '2'"},
+                   kStudyProgram);
+    requireRefused(folder, other(command, "RRTConnect", "PRM"), {"planners 'RRTConnect', not 'PRM'"},
+                   kStudyProgram);
     const std::string runs = readText(folder.file("study/runs.csv"));
     overwrite(folder.file("study/runs.csv"), runs + runs.substr(runs.rfind('\n', runs.size() - 2) + 1));
     const Outcome twice = runStudy(folder, command);
     BOOST_TEST(twice.code == 2);
-    BOOST_TEST(holds(twice.err, "RRTConnect sah/all seed 1 in window twice"), twice.err);
+    BOOST_TEST(holds(twice.err, "in window twice"), twice.err);
     overwrite(folder.file("study/runs.csv"), runs);
-    Problem problem = readProblem(folder.file("window.cfg"));
-    std::filesystem::rename(folder.file("plate.obj"), folder.file("moved.obj"));
-    problem.meshes.robot = folder.file("moved.obj");
-    folder.rewrite(problem);
+    const std::string file = folder.file("window/window.cfg");
+    Problem problem = readProblem(file);
+    std::filesystem::rename(folder.file("window/plate.obj"), folder.file("window/moved.obj"));
+    problem.meshes.robot = folder.file("window/moved.obj");
+    writeProblem(problem, file);
     BOOST_TEST(runStudy(folder, command).code == 0, "the same scene in another file is taken for another");
     problem.start.position.x() += 1;
-    folder.rewrite(problem);
+    writeProblem(problem, file);
     requireRefused(folder, command, {"scene window"}, kStudyProgram);
     problem.start.position.x() -= 1;
     problem.planning.planners = {{"RRTConnect", {{"range", "7"}}}};
-    folder.rewrite(problem);
+    writeProblem(problem, file);
     requireRefused(folder, command, {"scene window"}, kStudyProgram);
 }
 
-/// In the short form the console is a smaller one, which the folder holds as if a stopped study had made it.
-BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_makes_its_scenes_and_replays_their_poses) {
-    const TemporaryFolder folder;
-    if (!testing::isFullRun()) {
-        const std::filesystem::path kept = folder.file("study/scenes/tunnel-console-3");
-        std::filesystem::create_directories(kept.parent_path());
-        std::filesystem::copy(CLEARWAY_DATA_DIR "/tunnel-console-small", kept);
-        std::ofstream(kept / "complete") << "tunnel-console.cfg\n";
-    }
-    const std::string command =
-        "--short --seeds 1 --time 0.2 --planner RRTConnect --general-split "
-        "axis "
-        "--leaf-split none --leaf-split chain --out study";
-    const Outcome outcome = runStudy(folder, command);
+/// A planner that finds no path has no time to one: it is named with its runs, and nothing is said of it.
+BOOST_AUTO_TEST_CASE(a_planner_that_does_not_qualify_is_listed_and_has_no_ratios) {
+    const StudyFolder folder;
+    const Outcome outcome = runStudy(
+        folder, "window/window.cfg --short --planner RRTConnect --planner STRIDE --seeds 2 --out study");
     BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
-    BOOST_TEST(holds(outcome.out, "study/scenes/tunnel-console-3") == testing::isFullRun());
-    std::set<std::string> scenes;
-    for (const auto& row : readRows(folder.file("study/trees.csv"))) {
-        scenes.insert(row[0]);
-        if (row[0] == "tunnel-console")
-            BOOST_TEST(std::stod(row[14]) >= testing::inForm(50, 40), row[14] << " of 100 poses collide");
+    const Rows rows = readRows(folder.file("study/qualified.csv"));
+    BOOST_TEST_REQUIRE(rows.size() == 2u);
+    BOOST_TEST(rows[0][5] == "enters");
+    const std::set<std::string> verdicts = {"solves too few", "too slow", "enters"};
+    BOOST_TEST(verdicts.count(rows[1][5]) == 1u, rows[1][5]);
+    for (const auto& row : readRows(folder.file("study/ratios.csv")))
+        BOOST_TEST((row[7] != "STRIDE" || rows[1][5] == "enters"));
+    BOOST_TEST(holds(outcome.err, "unable: STRIDE") == (rows[1][5] != "enters"), outcome.err);
+}
+
+/// Its scene is made, its poses are those beside the scene's path, and the thesis's claims are judged by them.
+BOOST_AUTO_TEST_CASE(without_a_problem_a_short_study_takes_its_own) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runStudy(folder, "--short --seeds 2 --planner RRTConnect --out study");
+    BOOST_TEST_REQUIRE(outcome.code == 0, outcome.err);
+    BOOST_TEST(holds(outcome.out, "study/scenes/cembox"), outcome.out);
+    const Rows trees = readRows(folder.file("study/trees.csv"));
+    BOOST_TEST(trees.size() == 14u);
+    for (const auto& row : trees) {
+        BOOST_TEST(row[0] == "cembox");
+        BOOST_TEST(row[13] == "100");
     }
-    BOOST_TEST(scenes == std::set<std::string>({"cembox", "tunnel-console"}),
+    BOOST_TEST(readRows(folder.file("study/claims.csv")).size() == 24u);
+    std::set<std::string> scenes;
+    for (const auto& row : readRows(folder.file("study/files.csv"))) scenes.insert(row[0]);
+    BOOST_TEST(scenes == std::set<std::string>({"cembox", "gates", "window"}),
                boost::test_tools::per_element());
-    BOOST_TEST(readRows(folder.file("study/runs.csv")).size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
@@ -236,15 +209,12 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     const auto refused = [&](const std::string& arguments, const std::vector<std::string>& words) {
         requireRefused(folder, arguments, words, kStudyProgram);
     };
-    refused("window.cfg", {"--out is missing"});
+    refused("window/window.cfg", {"--out is missing"});
     refused("none.cfg --out study", {"none.cfg"});
-    refused("window.cfg --out study --seeds 0", {"--seeds is '0'"});
-    refused("window.cfg --out study --time 0", {"--time is '0'"});
-    refused("window.cfg --out study --planner RRTConnect:speed", {"unknown objective 'speed'"});
-    refused("window.cfg --out study --planner nonesuch", {"unknown planner 'nonesuch'"});
-    refused("window.cfg --out study --leaf-split some", {"--leaf-split is 'some'", "chain"});
-    refused("window.cfg window.cfg --out study", {"two problems are named 'window'"});
-    refused("window.cfg --out study --leaf-split all", {"one leaf split, expected at least two"});
+    refused("window/window.cfg --out study --seeds 0", {"--seeds is '0'"});
+    refused("window/window.cfg --out study --minutes 0", {"--minutes is '0'"});
+    refused("window/window.cfg --out study --planner nonesuch", {"unknown planner 'nonesuch'"});
+    refused("window/window.cfg window/window.cfg --out study", {"two problems are named 'window'"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
-#include "demos/study/study_run_text.h"
 #include "support/window_scene.h"
 
 namespace clearway::study {
@@ -38,35 +37,12 @@ BOOST_AUTO_TEST_CASE(a_benchmarks_run_is_read_as_it_was_told) {
     BOOST_TEST(read.warnings == told.warnings, boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_studys_run_is_read_as_it_was_told) {
-    StudyRun run;
-    run.row.scene = "window";
-    run.row.planner = "RRT";
-    run.row.generalSplit = "sah";
-    run.row.leafSplit = "none";
-    run.row.seed = 7;
-    run.row.seconds = 1.0 / 3;
-    run.row.stateChecks = 12;
-    run.calls = "state 1 2 3\n\n";
-    run.machine = "a processor, avx2";
-    const StudyRun read = readStudyRun(textOf(run));
-    BOOST_TEST(cellsOf(runColumns(), read.row) == cellsOf(runColumns(), run.row),
-               boost::test_tools::per_element());
-    BOOST_TEST((read.calls == run.calls));
-    BOOST_TEST(read.machine == run.machine);
-    run.calls.reset();
-    BOOST_TEST(!readStudyRun(textOf(run)).calls);
-}
-
 BOOST_AUTO_TEST_CASE(a_text_that_is_no_run_is_refused) {
     const std::string whole = textOf(EndedRun());
-    for (const std::string& text : {std::string(), whole.substr(0, whole.size() / 2), std::string("{}"),
-                                    std::string("[1, 2]"), textOf(StudyRun())}) {
+    for (const std::string& text :
+         {std::string(), whole.substr(0, whole.size() / 2), std::string("{}"), std::string("[1, 2]")}) {
         BOOST_CHECK_THROW(readEndedRun(text), std::exception);
     }
-    std::string wrong = textOf(StudyRun());
-    wrong.replace(wrong.find("\"row\":["), 7, "\"row\":[\"more\",");
-    BOOST_CHECK_THROW(readStudyRun(wrong), std::runtime_error);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-"""`clearway bench` and `clearway-study` under mpirun: shares, a stopped rank, a killed rank, and what is left then.
+"""`clearway bench` under mpirun: shares, a stopped rank, a killed rank, and what is left then.
 
     ranks_test.py PROGRAM DATA [MPIEXEC]
 Without MPIEXEC the program was built without MPI, and must say so.
 """
 
 import concurrent.futures
-import csv
 import os
 import pathlib
 import re
@@ -34,8 +33,8 @@ def require(condition, message):
 
 
 def ranked(words):
-    """words: a command of clearway's, or those of clearway-study."""
-    return [MPIEXEC, "-n", "4", PROGRAM if words[0] == "bench" else PROGRAM + "-study", *words]
+    """words: a command of clearway's."""
+    return [MPIEXEC, "-n", "4", PROGRAM, *words]
 
 
 def run(words, folder, **more):
@@ -171,33 +170,6 @@ def check_stopped_rank(folder):
     require(runs_in(folder / "one.log") == [2, 1], f"the log has {runs_in(folder / 'one.log')}")
 
 
-def rows_of(table):
-    with open(table, newline="") as file:
-        return sorted([row["scene"], row["planner"], row["general_split"], row["leaf_split"], row["seed"]] for row in csv.DictReader(file))
-
-
-def check_study(folder):
-    words = ["window/window.cfg", "--short", "--planner", "RRTConnect", "--planner", "RRTstar"]
-    words += ["--seeds", "1", "--general-split", "sah", "--leaf-split", "none", "--leaf-split", "all", "--time", "2"]
-    words += ["--out", "study"]
-    table = folder / "study/runs.csv"
-    started = start(words, folder)
-    os.kill(process_of_rank(3, started), signal.SIGTERM)
-    stopped = ended(words, started)
-    require(stopped.returncode == 1 and "the run is lost: problem 1, RRTstar sah/all seed 1" in stopped.stdout, show(stopped))
-    started = start(words, folder)
-    wait_for(lambda: len(rows_of(table)) == 3, started)
-    os.kill(process_of_rank(0, started), signal.SIGKILL)
-    ended(words, started)
-    before = table.read_text()
-    last = run(ranked(words), folder)
-    require(last.returncode == 0, "the study again: " + show(last))
-    require(table.read_text().startswith(before), "the study repeated a run")
-    expected = [["window", planner, "sah", leaf, "1"] for planner in ("RRTConnect", "RRTstar") for leaf in ("all", "none")]
-    require(rows_of(table) == expected, f"the study has {rows_of(table)}")
-    require((folder / "study/claims.csv").exists(), "the study is not complete")
-
-
 def check_refusals(folder):
     wrong = run(ranked(["bench", "window/window.cfg", "--runs", "0"]), folder)
     require(wrong.returncode == 2 and wrong.stderr.count("--runs is '0'") == 1, "a wrong option: " + show(wrong))
@@ -223,7 +195,7 @@ def main():
             print("skipped: program/cli/ranks was not tried: this program was built without MPI")
             return
         # Most of their time the checks wait: for a log to grow, or for a planner to use up its time.
-        checks = (check_study, check_killed_rank, check_ended_job, check_stopped_rank, check_benchmark, check_refusals)
+        checks = (check_killed_rank, check_ended_job, check_stopped_rank, check_benchmark, check_refusals)
         with concurrent.futures.ThreadPoolExecutor(len(checks)) as pool:
             for done in [pool.submit(timed, check, folder / check.__name__) for check in checks]:
                 done.result()
