@@ -139,6 +139,8 @@ void bindMeshesAndModels(py::module_& module) {
             py::arg("leaf_size") = py::none(), py::arg("node_width") = py::none(),
             py::arg("fit") = py::none(), py::arg("threads") = 0,
             R"(Builds the model of a mesh. preset: "best"; "fast" means the same and is deprecated. The names of strategies are those of C++'s BuildOptions. threads: 0 for all cores.)")
+        .def("__copy__", [](const Model& model) { return model; })
+        .def("__deepcopy__", [](const Model& model, const py::dict& /*memo*/) { return model; })
         .def_static(
             "load", [](const FileName& file) { return Model::load(file.string()); }, py::arg("file"),
             WithoutGil(), R"(Reads a file written by save. Raises FileError for any other file.)")

@@ -82,7 +82,10 @@ struct ProblemMeshes {
     std::string robot;
     std::string world;                       ///< mesh file of the environment, found like robot
     std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
-    double partScale = 1;                    ///< `robot.scale`: LoadOptions::scale of the part's mesh
+    /// `part`: the components of robot, by names as of obstacle rules, that move; its others stand still, so robot must be one of the
+    /// environment's files. Empty: all of robot moves.
+    std::vector<std::string> partNames;
+    double partScale = 1;   ///< `robot.scale`: LoadOptions::scale of the part's mesh
     double worldScale = 1;  ///< `world.scale`: LoadOptions::scale of the environment's meshes
     bool asOmplApp = true;  ///< read meshes as OMPL.app does; `reading = stored` turns this off
     /// False for a file without the key `reading`. Without a section [clearway] it is then read as OMPL.app reads
@@ -145,7 +148,7 @@ struct Problem {
 /// names and parameters are kept unchecked, in lower case.
 ///
 /// Throws FileError when the file cannot be read. Throws ArgumentError when robot, world,
-/// start or goal is missing, a value is wrong, a key stands twice, a goal outside has a pose or contacts, or
+/// start or goal is missing (with [clearway] part, world may be missing: the part's file then has it all), a value is wrong, a key stands twice, a goal outside has a pose or contacts, or
 /// [clearway] has an unknown key. The messages name the file, the key, the value and what was expected.
 Problem readProblem(const std::string& file);
 
@@ -179,7 +182,7 @@ using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions
 
 /// Loads the mesh of the part with the MeshReading and the scale that fit the problem. Throws what `read`
 /// throws, and ArgumentError when the problem does not state its reading and the readings differ (see
-/// ProblemMeshes::isReadingStated).
+/// ProblemMeshes::isReadingStated), or partNames names no component, or all of them.
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 
 /// Loads the meshes of the environment, one for each of worldFiles(). Reads and throws as loadPart does.

@@ -51,7 +51,7 @@ const std::vector<KnownKeys>& knownKeys() {
         {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
         {"clearway",
          {"contact.goal", "contact.start", "fineness", "goal", "goal.degrees", "ignore", "margin",
-          "margin.NAME", "outside", "overlap", "overlap.NAME", "reading", "robot.scale", "solid",
+          "margin.NAME", "outside", "overlap", "overlap.NAME", "part", "reading", "robot.scale", "solid",
           "start.degrees", "step", "unit", "world.scale"}},
     };
     return all;

@@ -15,14 +15,6 @@ constexpr const char* kOverlap = "overlap";
 constexpr const char* kNames = "names, separated by commas";
 constexpr const char* kAll = "all";
 
-std::vector<std::string> readNames(ConfigValues& values, const std::string& key) {
-    const std::optional<std::string> text = values.text(key);
-    if (!text) return {};
-    const std::optional<std::vector<std::string>> names = splitNames(*text);
-    if (!names) values.refuse(key, kNames);
-    return *names;
-}
-
 std::optional<ContactRule> readContact(ConfigValues& values, const std::string& key) {
     if (!values.has(key)) return std::nullopt;
     ContactRule contact;
@@ -68,14 +60,6 @@ OverlapRules readOverlap(ConfigValues& values) {
     return rules;
 }
 
-std::string namesOf(const std::string& key, const std::vector<std::string>& names) {
-    const std::optional<std::string> written = writtenNames(names);
-    if (written && !written->empty()) return *written;
-    throw ArgumentError(key +
-                        " has a name that is empty or contains a quote or a line end, expected "
-                        "a name without these");
-}
-
 void addContact(const std::string& key, const std::optional<ContactRule>& contact,
                 std::vector<std::pair<std::string, std::string>>& lines) {
     if (!contact) return;
@@ -104,6 +88,22 @@ void addOverlap(const OverlapRules& rules, std::vector<std::pair<std::string, st
 }
 
 }  // namespace
+
+std::vector<std::string> readNames(ConfigValues& values, const std::string& key) {
+    const std::optional<std::string> text = values.text(key);
+    if (!text) return {};
+    const std::optional<std::vector<std::string>> names = splitNames(*text);
+    if (!names) values.refuse(key, kNames);
+    return *names;
+}
+
+std::string namesOf(const std::string& key, const std::vector<std::string>& names) {
+    const std::optional<std::string> written = writtenNames(names);
+    if (written && !written->empty()) return *written;
+    throw ArgumentError(key +
+                        " has a name that is empty or contains a quote or a line end, expected "
+                        "a name without these");
+}
 
 ObstacleRules readObstacleRules(ConfigValues& values) {
     ObstacleRules rules;

@@ -11,6 +11,12 @@
 
 namespace clearway {
 
+/// Reads a list of names. Empty without the key. Throws ArgumentError naming the key when the value is no list.
+std::vector<std::string> readNames(ConfigValues& values, const std::string& key);
+
+/// A text that readNames reads back. Throws ArgumentError that names the key when a name cannot be written.
+std::string namesOf(const std::string& key, const std::vector<std::string>& names);
+
 /// Reads the rules. Throws ArgumentError naming the key when a value is wrong.
 ObstacleRules readObstacleRules(ConfigValues& values);
 

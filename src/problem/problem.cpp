@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "clearway/errors.h"
 #include "clearway/obstacle_groups.h"
 #include "core/number.h"
+#include "mesh/components.h"
+#include "model/obstacle_names.h"
 #include "problem/config.h"
 #include "problem/outside.h"
 #include "problem/rotation.h"
@@ -159,6 +163,21 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
     return mesh;
 }
 
+/// Divides the part's file into the components that move and those that stand still, which may be none.
+std::pair<std::vector<std::size_t>, std::vector<std::size_t>> dividedFile(const Problem& problem,
+                                                                          const Mesh& file) {
+    const ObstacleNames names({file});
+    std::set<std::size_t> moving;
+    for (const std::string& name : problem.meshes.partNames) {
+        for (const std::size_t component : names.find("part", name)) moving.insert(component);
+    }
+    std::vector<std::size_t> still;
+    for (std::size_t i = 0; i < names.components().size(); ++i) {
+        if (moving.count(i) == 0) still.push_back(i);
+    }
+    return {{moving.begin(), moving.end()}, still};
+}
+
 }  // namespace
 
 const std::vector<LengthUnit>& lengthUnits() {
@@ -225,17 +244,32 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
 
 Mesh loadPart(const Problem& problem, const MeshReader& read) {
     const bool isSpatial = problem.space == Space::kSe3;
-    const Mesh part = loadAs(problem, problem.meshes.robot, problem.meshes.partScale,
-                             isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
+    Mesh part = loadAs(problem, problem.meshes.robot, problem.meshes.partScale,
+                       isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
+    if (!problem.meshes.partNames.empty()) part = meshOfComponents(part, dividedFile(problem, part).first);
     requirePartExtent(part);
     return part;
 }
 
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {
+    const std::vector<std::string> files = worldFiles(problem);
+    const auto isPartFile = [&](const std::string& file) { return file == problem.meshes.robot; };
+    if (!problem.meshes.partNames.empty() && std::none_of(files.begin(), files.end(), isPartFile))
+        throw ArgumentError(
+            "part names components of '" + problem.meshes.robot +
+            "', expected this file among the environment's, too: its other components stand still");
     std::vector<Mesh> worlds;
-    for (const std::string& file : worldFiles(problem)) {
-        worlds.push_back(
-            loadAs(problem, file, problem.meshes.worldScale, MeshReading::kOmplAppEnvironment, read));
+    for (const std::string& file : files) {
+        Mesh world = loadAs(problem, file, problem.meshes.worldScale, MeshReading::kOmplAppEnvironment, read);
+        if (!problem.meshes.partNames.empty() && isPartFile(file)) {
+            const std::vector<std::size_t> still = dividedFile(problem, world).second;
+            if (still.empty() && files.size() > 1) continue;
+            if (still.empty())
+                throw ArgumentError("part names all components of '" + file +
+                                    "', expected one that stands still, or [problem] world");
+            world = meshOfComponents(world, still);
+        }
+        worlds.push_back(std::move(world));
     }
     return worlds;
 }

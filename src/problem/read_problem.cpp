@@ -71,6 +71,12 @@ void requireEachOnce(const ConfigValues& values, const std::string& key,
 /// otherwise it is a list.
 void readWorlds(ConfigValues& values, Problem& problem) {
     const std::string key = "problem.world";
+    problem.meshes.partNames = readNames(values, "clearway.part");
+    const bool isAssembly = !problem.meshes.partNames.empty();
+    if (isAssembly && !values.has(key)) {
+        problem.meshes.world = problem.meshes.robot;
+        return;
+    }
     const std::string text = values.requiredText(key, "the environment's mesh file");
     std::vector<std::string> names = {text};
     const bool isList = text.find(',') != std::string::npos || (text.front() == '"' && text.back() == '"');
@@ -81,6 +87,15 @@ void readWorlds(ConfigValues& values, Problem& problem) {
     }
     for (std::string& name : names) name = meshFile(name, problem.file, problem.warnings);
     requireEachOnce(values, key, names);
+    if (isAssembly) {
+        const auto rest = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+            return isOneFile(name, problem.meshes.robot);
+        });
+        if (rest != names.end())
+            *rest = problem.meshes.robot;
+        else
+            names.insert(names.begin(), problem.meshes.robot);
+    }
     problem.meshes.world = names[0];
     problem.meshes.furtherWorlds.assign(names.begin() + 1, names.end());
 }
@@ -255,6 +270,10 @@ void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     problem.meshes.asOmplApp = how ? *how == "omplapp" : !isClearways;
     problem.meshes.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
     problem.meshes.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
+    if (!problem.meshes.partNames.empty() && problem.meshes.asOmplApp)
+        values.refuse("clearway.part", "reading = stored beside it: OMPL.app moves the part on reading");
+    if (!problem.meshes.partNames.empty() && problem.meshes.partScale != problem.meshes.worldScale)
+        values.refuse("clearway.part", "equal robot.scale and world.scale beside it: they read one file");
     problem.unit = readUnit(values);
 }
 

@@ -164,6 +164,7 @@ void writeClearwaySection(ConfigText& text, const Problem& problem) {
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.fineness) text.line("fineness", *problem.fineness);
     if (!problem.unit.empty()) text.line("unit", problem.unit);
+    if (!problem.meshes.partNames.empty()) text.quotedLine("part", namesOf("part", problem.meshes.partNames));
     if (problem.meshes.partScale != 1) text.line("robot.scale", problem.meshes.partScale);
     if (problem.meshes.worldScale != 1) text.line("world.scale", problem.meshes.worldScale);
     if (problem.meshes.isReadingStated || problem.meshes.asOmplApp)

@@ -1,5 +1,6 @@
 """The Python module: its answers are the library's, and whatever is not as it should be is refused by name."""
 
+import copy
 import math
 import os
 import re
@@ -30,6 +31,11 @@ def test_distance_of_two_triangles(models):
     assert clearway.collides(*models, place(z=-1)) and not clearway.collides(*models, place(z=-1.01))
     beyond = clearway.distance(*models, place(z=2), cap=1)
     assert beyond.lower >= 1 and math.isinf(beyond.upper) and beyond.part_triangle == -1
+
+
+def test_a_copy_of_a_model_is_the_same_model(models):
+    for same in copy.copy(models[0]), copy.deepcopy(models[0]):
+        assert clearway.distance(same, models[1], place(z=2)).distance == clearway.distance(*models, place(z=2)).distance
 
 
 def test_batches_answer_as_single_queries(models):

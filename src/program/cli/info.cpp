@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
+#include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/lift.h"
 #include "program/cli/mesh_facts.h"
@@ -219,16 +221,31 @@ void describeLift(const std::string& file) {
 
 }  // namespace
 
+constexpr double kWidestGap = 1e-3;  ///< of an assembly's diagonal: wider gaps are not shown
+
+/// Tells which parts of an assembly touch each other, reach into each other, or are near.
+void describePairs(const Mesh& assembly, const std::optional<double>& near, const std::string& csv) {
+    const double widest = near.value_or(kWidestGap * boundingBox(assembly).diagonal().norm());
+    std::cout << "\nPairs of parts\n";
+    tellPairs(pairsOf(assembly, widest), widest, csv);
+}
+
 int info(const Arguments& arguments) {
-    std::string file;
-    std::optional<double> scale;
+    std::string file, csv;
+    std::optional<double> scale, near;
     BuildOptions tree;
-    bool isLift = false;
+    bool isLift = false, arePairs = false;
     CommandLine line(
-        "clearway info MESH|PROBLEM.cfg [options]",
+        "clearway info MESH|FOLDER|PROBLEM.cfg [options]",
         "Shows what a mesh or a problem's two meshes hold: triangles, components, box, whether the\n"
-        "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.");
-    line.argument("MESH|PROBLEM.cfg", to(file));
+        "surface is closed, the conversions on reading, the findings of cleaning, and the tree built.\n"
+        "Of an assembly, a mesh of several components or a folder of mesh files, --pairs shows which parts\n"
+        "touch each other, reach into each other, or are near.");
+    line.argument("MESH|FOLDER|PROBLEM.cfg", to(file));
+    line.flag("--pairs", "tells what touches what; a folder implies it", arePairs);
+    line.option("--near D", "widest gap of a pair (a thousandth of the assembly's diagonal)",
+                nonNegative(near));
+    line.option("--csv FILE", "writes the pairs as a table", to(csv));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
     line.flag(
         "--lift",
@@ -239,15 +256,33 @@ int info(const Arguments& arguments) {
     addTreeOptions(line, tree);
     if (!line.parse(arguments)) return kDone;
     OutputFiles files({file});
+    files.add("--csv", csv, {".csv"});
     requireFactsFile(files);
+    const bool isFolder = std::filesystem::is_directory(file);
+    arePairs = arePairs || isFolder || near || !csv.empty();
+    if (arePairs && boost::iends_with(file, ".cfg") && !isFolder)
+        throw std::invalid_argument("--pairs is given with the problem '" + file +
+                                    "', expected a mesh of several components or a folder");
 
-    if (!boost::iends_with(file, ".cfg")) {
+    if (isFolder) {
+        if (scale)
+            throw std::invalid_argument("--scale is given with the folder '" + file + "', expected a mesh");
+        const Mesh assembly = loadAssembly(file);
+        printWarnings(assembly.origin.warnings);
+        tell({{"assembly",
+               fmt::format("{}, {}, {}", file, counted(assembly.components.size(), "part"),
+                           counted(assembly.triangles.size(), "triangle")),
+               "assembly",
+               {{"folder", file}, {"components", toJson(assembly.components)}}}});
+        describePairs(assembly, near, csv);
+    } else if (!boost::iends_with(file, ".cfg")) {
         if (isLift)
             throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
         LoadOptions load;
         load.scale = scale.value_or(1);
         const Mesh mesh = guardedLoadMesh(file, load);
         describeMesh("mesh", mesh, "as stored", Model::build(mesh, tree));
+        if (arePairs) describePairs(mesh, near, csv);
     } else if (scale) {
         throw std::invalid_argument(
             "--scale is '" + readable(*scale) +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "clearway/problem.h"
@@ -15,12 +16,16 @@
 #include "mesh/clean.h"
 #include "mesh/components.h"
 #include "mesh/topology.h"
+#include "model/obstacle_names.h"
 #include "problem/config.h"
+#include "problem/obstacle_rules.h"
 #include "problem/start_remedies.h"
+#include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/lift.h"
 #include "program/cli/overlaps.h"
 #include "program/options/facts.h"
+#include "program/options/load_guard.h"
 #include "program/options/print.h"
 #include "program/options/program.h"
 #include "program/options/shared_options.h"
@@ -38,7 +43,43 @@ constexpr std::size_t kValueColumn = 34;  ///< where the comments begin
 struct InitArguments {
     std::string part, out;
     std::vector<std::string> environment;
+    std::vector<std::string> partNames;  ///< of --part; the first file is then an assembly
 };
+
+/// Makes the file that holds the parts named, which must be in one file, the part's; all files are the environment's, but for one that
+/// moves as a whole. Keeps the names where others in that file stand still.
+void takePartsOut(InitArguments& given) {
+    std::vector<std::string> files = {given.part};
+    if (fs::is_directory(given.part)) files = meshFilesOf(given.part);
+    files.insert(files.end(), given.environment.begin(), given.environment.end());
+    std::vector<Mesh> meshes;
+    for (const std::string& file : files) meshes.push_back(guardedLoadMesh(file, {}));
+    const ObstacleNames names(meshes);
+    std::set<std::size_t> moving, movingFiles;
+    for (const std::string& name : given.partNames) {
+        for (const std::size_t component : names.find("--part", name)) {
+            moving.insert(component);
+            movingFiles.insert(names.components()[component].file);
+        }
+    }
+    if (movingFiles.size() > 1)
+        throw std::invalid_argument("the parts of --part are in " + std::to_string(movingFiles.size()) +
+                                    " files, expected all in one: only parts of one file move together");
+    const std::size_t file = *movingFiles.begin();
+    given.part = files[file];
+    given.environment = files;
+    given.partNames.clear();
+    for (const std::size_t component : moving) given.partNames.push_back(names.components()[component].bare);
+    const auto isInFile = [&](const ObstacleNames::Component& component) { return component.file == file; };
+    const auto all = std::count_if(names.components().begin(), names.components().end(), isInFile);
+    if (moving.size() == static_cast<std::size_t>(all)) {
+        given.partNames.clear();
+        given.environment.erase(given.environment.begin() + static_cast<std::ptrdiff_t>(file));
+    }
+    if (given.environment.empty())
+        throw std::invalid_argument("--part names all parts of '" + given.part +
+                                    "', expected one that stands still");
+}
 
 bool readArguments(const Arguments& words, InitArguments& given) {
     CommandLine line(
@@ -47,15 +88,24 @@ bool readArguments(const Arguments& words, InitArguments& given) {
         "part\n"
         "starts where its file puts it, and the goal is anywhere outside: on the far side, if the part "
         "starts\n"
-        "outside. Says what it saw in the meshes.");
+        "outside. Says what it saw in the meshes.\n"
+        "With --part, the first file is an assembly, or a folder of mesh files: the parts named move, all "
+        "others stand still.");
     line.argument("PART", to(given.part));
     line.argument("[ENVIRONMENT...]", appendedTo(given.environment));
+    line.option("--part NAME", "a part of the assembly that moves; several move as one; may be repeated",
+                appendedTo(given.partNames), CommandLine::Count::kRepeatable);
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
     addJson(line);
     if (!line.parse(words)) return false;
-    if (given.environment.empty())
+    if (!given.partNames.empty()) {
+        takePartsOut(given);
+    } else if (given.environment.empty()) {
         throw std::invalid_argument(
-            "no ENVIRONMENT, expected: clearway init PART ENVIRONMENT... --out PROBLEM.cfg");
+            "no ENVIRONMENT, expected: clearway init PART ENVIRONMENT... --out PROBLEM.cfg, or --part NAME "
+            "for a "
+            "part of an assembly");
+    }
     return true;
 }
 
@@ -213,6 +263,9 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     } else {
         text.line("unit", seen.unit, "the unit that the files state; shown beside all lengths here");
     }
+    if (!given.partNames.empty())
+        text.line("part", namesOf("part", given.partNames),
+                  "what moves of robot; its other parts stand still");
     text.line("reading", "stored",
               std::string("coordinates as the files hold them") +
                   (seen.isTurned ? ", but for what assimp turns" : ""));
@@ -240,7 +293,7 @@ int init(const Arguments& words) {
     InitArguments given;
     if (!readArguments(words, given)) return kDone;
     std::vector<std::string> inputs = given.environment;
-    inputs.push_back(given.part);
+    if (std::find(inputs.begin(), inputs.end(), given.part) == inputs.end()) inputs.push_back(given.part);
     if (given.out.find_first_of("\n\r") != std::string::npos)
         throw std::invalid_argument("--out is '" + given.out + "', expected a name without line breaks");
     for (const std::string& file : inputs) relativeTo(given.out, file);  // refused before anything is said
@@ -253,6 +306,7 @@ int init(const Arguments& words) {
     problem.meshes.robot = given.part;
     problem.meshes.world = given.environment[0];
     problem.meshes.furtherWorlds.assign(given.environment.begin() + 1, given.environment.end());
+    problem.meshes.partNames = given.partNames;
     problem.outside.emplace();
     ProblemScenes scenes(problem, {});
     const Mesh& part = scenes.meshes().part;

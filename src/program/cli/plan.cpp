@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <iostream>
@@ -111,8 +112,19 @@ bool readArguments(const Arguments& arguments, PlanArguments& given) {
     return line.parse(arguments);
 }
 
+/// The names, each once, with its number where there are several: "2 BITstar, RRTConnect".
+std::string withCounts(const std::vector<std::string>& names) {
+    std::vector<std::string> texts;
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        if (std::find(names.begin(), name, *name) != name) continue;
+        const auto count = std::count(names.begin(), names.end(), *name);
+        texts.push_back(count > 1 ? fmt::format("{} {}", count, *name) : *name);
+    }
+    return joined(texts);
+}
+
 Facts settingsFacts(const planning::PlanOptions& options, const PlanReport& report) {
-    return {{"planner", fmt::format("{}, seed {}", joined(report.planners), options.seed), "planners",
+    return {{"planner", fmt::format("{}, seed {}", withCounts(report.planners), options.seed), "planners",
              report.planners},
             kept("seed", options.seed),
             shownIf(options.iterations.has_value(),

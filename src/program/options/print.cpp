@@ -181,12 +181,9 @@ void requirePrinted() {
     if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
 }
 
-ElapsedLine::ElapsedLine(std::string what) : what_(std::move(what)) {
-    if (isatty(STDERR_FILENO)) thread_ = std::thread([this] { run(); });
-}
+ElapsedLine::ElapsedLine(std::string what) : what_(std::move(what)), thread_([this] { run(); }) {}
 
 ElapsedLine::~ElapsedLine() {
-    if (!thread_.joinable()) return;
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         isEnded_ = true;
@@ -201,12 +198,18 @@ void ElapsedLine::tell(std::string what) {
 }
 
 void ElapsedLine::run() {
+    const bool isTerminal = isatty(STDERR_FILENO);
+    const int period = isTerminal ? 1 : 10;
     std::unique_lock<std::mutex> lock(mutex_);
-    for (int seconds = 1; !ended_.wait_for(lock, std::chrono::seconds(1), [this] { return isEnded_; });
-         ++seconds) {
-        std::cerr << '\r' << what_ << ' ' << seconds << " s\033[K" << std::flush;
+    for (int seconds = period;
+         !ended_.wait_for(lock, std::chrono::seconds(period), [this] { return isEnded_; });
+         seconds += period) {
+        if (isTerminal)
+            std::cerr << '\r' << what_ << ' ' << seconds << " s\033[K" << std::flush;
+        else
+            std::cerr << what_ << ' ' << seconds << " s" << std::endl;
     }
-    std::cerr << "\r\033[K" << std::flush;
+    if (isTerminal) std::cerr << "\r\033[K" << std::flush;
 }
 
 }  // namespace clearway::cli

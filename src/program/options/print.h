@@ -84,8 +84,8 @@ void writeOut(const std::string& file, const std::function<void(std::ostream&)>&
 /// Flushes standard output. Throws std::runtime_error when what was printed could not be written.
 void requirePrinted();
 
-/// While an ElapsedLine lives, a line on stderr counts the seconds: "planning 12 s". It prints nothing unless
-/// stderr is a terminal.
+/// While an ElapsedLine lives, a line on stderr counts the seconds: "planning 12 s". Where stderr is no terminal, a new line every ten
+/// seconds does.
 class ElapsedLine {
   public:
     explicit ElapsedLine(std::string what);

@@ -1,6 +1,8 @@
 // The program from two meshes to a path, and its facts as JSON.
 #include <filesystem>
+#include <set>
 
+#include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "program/cli/run_program.h"
 #include "support/random_meshes.h"
@@ -214,6 +216,95 @@ BOOST_AUTO_TEST_CASE(pages_for_readers_and_shells_are_printed) {
     BOOST_TEST(holds(runIn(folder, "check --man").out, ".TH CLEARWAY-CHECK 1"));
     BOOST_TEST(holds(runIn(folder, "--man").out, ".TH CLEARWAY 1", "\n.B clearway plan\n"));
     BOOST_TEST(holds(runIn(folder, "--completion").out, "complete", "-F _clearway clearway clearway-scene"));
+}
+
+Mesh assembly(const std::vector<Mesh>& parts) {
+    Mesh all = joinedEnvironment(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) all.components[i].name = parts[i].components[0].name;
+    return all;
+}
+
+/// The obstacles of a problem, by their names.
+std::set<std::string> obstacleNames(const Problem& problem) {
+    std::set<std::string> names;
+    for (const Mesh& world : loadWorlds(problem)) {
+        for (const Component& component : world.components) names.insert(component.name);
+    }
+    return names;
+}
+
+BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_still) {
+    const TemporaryFolder folder;
+    const Mesh block = named(box({1, 1, 1}), "block", {20, 0, 1.5}),
+               pin = named(box({0.2, 0.2, 0.2}), "pin", {20, 0, 3}),
+               floor = named(box({3, 3, 1}), "floor", {20, 0, -1}),
+               plate = named(box({0.5, 3, 3}), "plate", {22, 0, 2});
+    saveMesh(assembly({block, floor, plate, pin}), folder.file("all.glb"));
+    const auto made = factsOf(folder, "init all.glb --part block --out p.cfg");
+    BOOST_TEST(made["part"]["triangles"] == 12);
+    BOOST_TEST(made["environment"]["triangles"] == 36);
+    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
+    const Problem problem = readProblem(folder.file("p.cfg"));
+    BOOST_TEST(problem.meshes.partNames == std::vector<std::string>({"block"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(loadPart(problem).components.size() == 1u);
+    BOOST_TEST(obstacleNames(problem) == std::set<std::string>({"floor", "pin", "plate"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(runIn(folder, "plan p.cfg --path p.path --time 20").code == 0);
+    BOOST_TEST(runIn(folder, "check p.cfg p.path").code == 0);
+
+    factsOf(folder, "init all.glb --part block --part pin --out two.cfg");
+    const Problem two = readProblem(folder.file("two.cfg"));
+    BOOST_TEST(loadPart(two).components.size() == 2u);
+    BOOST_TEST(obstacleNames(two) == std::set<std::string>({"floor", "plate"}),
+               boost::test_tools::per_element());
+    writeProblem(two, folder.file("again.cfg"));
+    BOOST_TEST((readProblem(folder.file("again.cfg")).meshes.partNames == two.meshes.partNames));
+
+    std::filesystem::create_directory(folder.file("parts"));
+    for (const Mesh& mesh : {block, floor, plate})
+        saveMesh(mesh, folder.file("parts/" + mesh.components[0].name + ".stl"));
+    factsOf(folder, "init parts --part block --out folder.cfg");
+    const Problem files = readProblem(folder.file("folder.cfg"));
+    BOOST_TEST(files.meshes.partNames.empty());
+    BOOST_TEST(std::filesystem::path(files.meshes.robot).filename() == "block.stl");
+    BOOST_TEST(worldFiles(files).size() == 2u);
+
+    requireRefused(folder, "init all.glb --out q.cfg", {"no ENVIRONMENT", "--part"});
+    requireRefused(folder, "init all.glb --part lid --out q.cfg", {"'lid'", "block"});
+    requireRefused(folder, "init parts --part block --part plate --out q.cfg", {"in 2 files"});
+    requireRefused(folder, "init parts/block.stl --part block --out q.cfg", {"names all parts"});
+}
+
+/// A problem in memory that names parts but not their file among the environment's would lose the other parts without a word.
+BOOST_AUTO_TEST_CASE(the_rest_of_an_assembly_is_never_lost) {
+    const TemporaryFolder folder;
+    saveMesh(
+        assembly({named(box({1, 1, 1}), "block", {20, 0, 1.5}), named(box({3, 3, 1}), "floor", {20, 0, -1})}),
+        folder.file("all.glb"));
+    saveMesh(named(box({1, 1, 1}), "other", {30, 0, 0}), folder.file("other.obj"));
+    const std::string start =
+        "start.x = 0\nstart.y = 0\nstart.z = 0\nstart.axis.x = 0\nstart.axis.y = 0\nstart.axis.z = "
+        "1\nstart.theta = 0\n";
+    const auto read = [&](const std::string& world, const std::string& more) {
+        return readProblem(folder.write("p.cfg", "[problem]\nrobot = all.glb\n" + world + start +
+                                                     "[clearway]\ngoal = outside\npart = block\n" + more));
+    };
+    Problem problem = read("world = other.obj\n", "reading = stored\n");
+    BOOST_TEST(obstacleNames(problem) == std::set<std::string>({"floor", "other"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(obstacleNames(read("", "reading = stored\n")) == std::set<std::string>({"floor"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(
+        obstacleNames(read("world = ./all.glb\n", "reading = stored\n")) == std::set<std::string>({"floor"}),
+        boost::test_tools::per_element());
+    BOOST_CHECK_THROW(read("", "reading = omplapp\n"), std::invalid_argument);
+    BOOST_CHECK_THROW(read("", "reading = stored\nworld.scale = 2\n"), std::invalid_argument);
+    problem.meshes.world = folder.file("other.obj");
+    problem.meshes.furtherWorlds.clear();
+    BOOST_CHECK_THROW(loadWorlds(problem), std::invalid_argument);
+    problem.meshes.partNames = {"bolt"};
+    BOOST_CHECK_THROW(loadPart(problem), std::invalid_argument);
 }
 
 }  // namespace

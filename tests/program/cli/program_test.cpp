@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
     requireRefused(folder, "--verison", {"'--verison'", "'--version'"});
     requireRefused(folder, "help kyes", {"'kyes'", "'keys'"});
     requireRefused(folder, "plan --pth x", {"'--path'"});
-    requireRefused(folder, "info ''", {"MESH|PROBLEM.cfg is ''", "expected: clearway info"});
+    requireRefused(folder, "info ''", {"MESH|FOLDER|PROBLEM.cfg is ''", "expected: clearway info"});
     requireRefused(folder, "--help > /dev/full", {"standard output"});
     for (const char* asked : {"-h", "--help", "--version"}) BOOST_TEST(runIn(folder, asked).code == 0);
 }

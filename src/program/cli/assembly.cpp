@@ -1,0 +1,245 @@
+#include "program/cli/assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "clearway/obstacle_groups.h"
+#include "clearway/query.h"
+#include "core/replace_file.h"
+#include "core/text.h"
+#include "mesh/components.h"
+#include "model/solids.h"
+#include "problem/config.h"
+#include "program/cli/csv_cells.h"
+#include "program/options/facts.h"
+#include "program/options/load_guard.h"
+#include "program/options/print.h"
+
+namespace clearway::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kShallow = 1e-4;          ///< of the smaller part's diagonal: what an OverlapMeter resolves
+constexpr std::size_t kMostPairRows = 40;  ///< of each kind, on screen
+constexpr const char* kMeshEndings[] = {".stl", ".obj", ".ply", ".off", ".gltf", ".glb", ".3mf", ".dae"};
+
+/// A component with what queries need. Solids are made when first asked for.
+class AssembledPart {
+  public:
+    explicit AssembledPart(Mesh componentMesh)
+        : mesh(std::move(componentMesh)), model(Model::build(mesh)), box(boundingBox(mesh)) {}
+
+    const std::string& name() const { return mesh.components[0].name; }
+    double diagonal() const { return box.diagonal().norm(); }
+
+    const Solids& solids() {
+        if (!solids_) solids_ = std::make_unique<Solids>(mesh);
+        return *solids_;
+    }
+    bool isClosed() { return solids().refusals().empty(); }
+    const OverlapMeter& meter() {
+        if (!meter_) meter_.emplace(mesh);
+        return *meter_;
+    }
+
+    Mesh mesh;
+    Model model;
+    Box box;
+
+  private:
+    std::unique_ptr<Solids> solids_;
+    std::optional<OverlapMeter> meter_;
+};
+
+/// How deep the parts reach into each other: the deeper of both ways that a closed part can measure.
+std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
+    std::optional<DeepestPoint> deepest;
+    for (const auto& [outer, inner] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        if (!outer->isClosed()) continue;
+        const DeepestPoint found = outer->meter().deepest(inner->mesh, {});
+        if (!deepest || found.lower > deepest->lower) deepest = found;
+    }
+    return deepest;
+}
+
+void findEscape(const AssembledPart& a, const AssembledPart& b, PartPair& pair) {
+    const SceneClearance clearance(Scene(b.model, a.model));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            const EscapeDistance way = clearance.escapeDistance({}, sign * Vector3::Unit(axis));
+            if (pair.escape && pair.escape->upper <= way.upper) continue;
+            pair.escape = way;
+            pair.escapeDirection = std::string(sign > 0 ? "+" : "-") + kAxisNames[axis];
+        }
+    }
+}
+
+void describeContact(const AssembledPart& a, const AssembledPart& b, Workspace& workspace, PartPair& pair) {
+    pair.kind = PartPair::Kind::kContact;
+    Box where;
+    for (const DistanceResult& each : nearPairs(b.model, a.model, {}, 0, workspace)) {
+        if (!each.collides()) continue;
+        ++pair.touchingTriangles;
+        where.extend(each.witness->pointOnEnvironment);
+    }
+    if (!where.isEmpty()) pair.at = where.center();
+}
+
+/// Nothing where the parts are farther apart than `near`.
+std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, Workspace& workspace) {
+    DistanceOptions options;
+    options.cap = near;
+    const DistanceResult gap = distance(b.model, a.model, {}, options, workspace);
+    const bool isInside =
+        !gap.collides() &&
+        ((a.box.contains(b.box) && a.isClosed() && a.solids().holding({}, b.solids(), {})) ||
+         (b.box.contains(a.box) && b.isClosed() && b.solids().holding({}, a.solids(), {})));
+    if (!gap.witness && !gap.collides() && !isInside) return std::nullopt;
+    PartPair pair;
+    pair.a = a.name();
+    pair.b = b.name();
+    if (!gap.collides() && !isInside) {
+        pair.lower = gap.lower;
+        pair.upper = gap.upper;
+        pair.at = (gap.witness->pointOnPart + gap.witness->pointOnEnvironment) / 2;
+        return pair;
+    }
+    pair.depth = depthOf(a, b);
+    if (!isInside && (!pair.depth || pair.depth->lower <= kShallow * std::min(a.diagonal(), b.diagonal()))) {
+        describeContact(a, b, workspace, pair);
+        return pair;
+    }
+    pair.kind = PartPair::Kind::kOverlap;
+    pair.at = pair.depth->point;
+    findEscape(a, b, pair);
+    return pair;
+}
+
+std::string pairRow(const PartPair& pair) {
+    const std::string names = fmt::format("'{}' and '{}'", pair.a, pair.b), at = " at " + shownPlace(pair.at);
+    switch (pair.kind) {
+        case PartPair::Kind::kOverlap:
+            return fmt::format("{}, {} deep{}; free by {} along {}", names, shownLength(pair.depth->upper),
+                               at, shownLength(pair.escape->upper), pair.escapeDirection);
+        case PartPair::Kind::kContact:
+            return fmt::format(
+                "{}, {} around {}{}", names,
+                counted(pair.touchingTriangles, "touching pair of triangles", "touching pairs of triangles"),
+                shownPlace(pair.at), pair.depth ? "" : "; both are open, so no depth is known");
+        case PartPair::Kind::kGap:
+            break;
+    }
+    return fmt::format("{}, {}{}", names, shownLength(pair.lower), at);
+}
+
+constexpr const char* kPairKinds[] = {"overlap", "contact", "gap"};  // as PartPair::Kind
+
+Json jsonOf(const PartPair& pair) {
+    Json json = {{"kind", kPairKinds[static_cast<int>(pair.kind)]},
+                 {"a", pair.a},
+                 {"b", pair.b},
+                 {"gap", {pair.lower, pair.upper}},
+                 {"at", toJson(pair.at)},
+                 {"touching_triangles", pair.touchingTriangles},
+                 {"depth", nullptr},
+                 {"escape", nullptr}};
+    if (pair.depth) json["depth"] = {pair.depth->lower, pair.depth->upper};
+    if (pair.escape)
+        json["escape"] = {{"direction", pair.escapeDirection},
+                          {"lower", toJson(pair.escape->lower)},
+                          {"upper", toJson(pair.escape->upper)}};
+    return json;
+}
+
+std::string pairTable(const std::vector<PartPair>& pairs) {
+    std::string text =
+        "kind,a,b,gap_lower,gap_upper,x,y,z,touching_triangles,depth_lower,depth_upper,escape,escape_upper\n";
+    for (const PartPair& pair : pairs) {
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", kPairKinds[static_cast<int>(pair.kind)],
+                            textCell(pair.a), textCell(pair.b), formatNumber(pair.lower),
+                            formatNumber(pair.upper), numberCells(pair.at), pair.touchingTriangles,
+                            pair.depth ? formatNumber(pair.depth->lower) : "",
+                            pair.depth ? formatNumber(pair.depth->upper) : "", pair.escapeDirection,
+                            pair.escape ? formatNumber(pair.escape->upper) : "");
+    }
+    return text;
+}
+
+bool isMeshFile(const fs::path& file) {
+    const std::string ending = file.extension().string();
+    return std::any_of(std::begin(kMeshEndings), std::end(kMeshEndings),
+                       [&](const char* known) { return boost::iequals(ending, known); });
+}
+
+}  // namespace
+
+std::vector<PartPair> pairsOf(const Mesh& assembly, double near) {
+    std::vector<std::unique_ptr<AssembledPart>> parts;
+    const std::size_t count = componentsOf(assembly).size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Mesh mesh = meshOfComponents(assembly, {i});
+        if (!mesh.triangles.empty()) parts.push_back(std::make_unique<AssembledPart>(std::move(mesh)));
+    }
+    std::vector<PartPair> pairs;
+    Workspace workspace;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t k = i + 1; k < parts.size(); ++k) {
+            if (parts[i]->box.exteriorDistance(parts[k]->box) > near) continue;
+            workspace.forgetWarmStart();
+            if (auto pair = pairOf(*parts[i], *parts[k], near, workspace)) pairs.push_back(std::move(*pair));
+        }
+    }
+    const auto order = [](const PartPair& pair) {
+        return std::tuple(pair.kind, pair.depth ? -pair.depth->upper : 0.0, pair.lower);
+    };
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [&](const PartPair& a, const PartPair& b) { return order(a) < order(b); });
+    return pairs;
+}
+
+std::vector<std::string> meshFilesOf(const std::string& folder) {
+    std::vector<std::string> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (entry.is_regular_file() && isMeshFile(entry.path())) files.push_back(entry.path().string());
+    }
+    std::sort(files.begin(), files.end());
+    if (files.empty())
+        throw std::invalid_argument(
+            "the folder '" + folder + "' holds no mesh file, expected at least one of " +
+            joined(std::vector<std::string>(std::begin(kMeshEndings), std::end(kMeshEndings))));
+    return files;
+}
+
+Mesh loadAssembly(const std::string& folder) {
+    std::vector<Mesh> meshes;
+    for (const std::string& file : meshFilesOf(folder)) meshes.push_back(guardedLoadMesh(file, {}));
+    return joinedEnvironment(meshes);
+}
+
+void tellPairs(const std::vector<PartPair>& pairs, double near, const std::string& csvFile) {
+    std::size_t shown[3] = {};
+    Json json = Json::array();
+    for (const PartPair& pair : pairs) {
+        const auto kind = static_cast<std::size_t>(pair.kind);
+        if (++shown[kind] <= kMostPairRows) printRow(kPairKinds[kind], pairRow(pair));
+        json.push_back(jsonOf(pair));
+    }
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+        if (shown[kind] > kMostPairRows)
+            printRow(kPairKinds[kind],
+                     fmt::format("{} more; --csv or --json writes all", shown[kind] - kMostPairRows));
+    }
+    if (pairs.empty()) printRow("parts", "none are nearer to each other than " + shownLength(near));
+    facts()["near"] = near;
+    facts()["pairs"] = json;
+    if (!csvFile.empty()) replaceFile(csvFile, [&](std::ostream& out) { out << pairTable(pairs); });
+}
+
+}  // namespace clearway::cli

@@ -1,0 +1,41 @@
+// What touches what among the parts of an assembly: the components of a mesh file, or of the files of a folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clearway/mesh.h"
+#include "clearway/overlap.h"
+#include "clearway/scene_clearance.h"
+
+namespace clearway::cli {
+
+/// Two parts that are near each other, touch, or reach into each other. Lengths in the mesh's unit.
+struct PartPair {
+    enum class Kind { kOverlap, kContact, kGap };
+    Kind kind = Kind::kGap;
+    std::string a, b;              ///< names of the components
+    double lower = 0, upper = 0;   ///< bounds of the gap; 0 unless kGap
+    Vector3 at = Vector3::Zero();  ///< the deepest point, the middle of the contact, or the middle of the gap
+    std::size_t touchingTriangles = 0;  ///< pairs of triangles in contact; kContact alone
+    /// kOverlap alone. Without a closed part no depth is known.
+    std::optional<DeepestPoint> depth;
+    std::optional<EscapeDistance> escape;  ///< the shortest way along an axis on which b leaves a
+    std::string escapeDirection;           ///< "+z"
+};
+
+/// The pairs with gaps of at most `near`: overlaps, the deepest first; then contacts; then gaps, the narrowest first. Parts that reach no
+/// deeper into each other than a ten thousandth of the smaller one's diagonal are in contact. A closed part that holds another one counts
+/// as an overlap.
+std::vector<PartPair> pairsOf(const Mesh& assembly, double near);
+
+/// The mesh files of a folder, by name. Throws std::invalid_argument when it holds none.
+std::vector<std::string> meshFilesOf(const std::string& folder);
+
+/// Reads all mesh files of a folder as one mesh: see joinedEnvironment() and meshFilesOf().
+Mesh loadAssembly(const std::string& folder);
+
+/// Prints a row for each pair, keeps them among the facts as "pairs", and writes a table where a file is given.
+void tellPairs(const std::vector<PartPair>& pairs, double near, const std::string& csvFile);
+
+}  // namespace clearway::cli

@@ -1,0 +1,106 @@
+#include "program/cli/assembly.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "clearway/obstacle_groups.h"
+#include "program/cli/run_program.h"
+
+namespace clearway::testing {
+
+BOOST_AUTO_TEST_SUITE(assembly_test)
+
+namespace {
+
+using cli::PartPair;
+
+Mesh box(const std::string& name, const Vector3& low, const Vector3& high) {
+    return boxMesh(Box(low, high), name);
+}
+
+/// A base; a lid that lies on it; a bolt pressed into it by 0.5; a pin 0.25 beside it; one far away; a core inside of it.
+std::vector<Mesh> parts() {
+    return {box("base", {0, 0, 0}, {10, 10, 4}),          box("lid", {0, 0, 4}, {10, 10, 5}),
+            box("bolt", {9.5, 2, 1}, {12, 3, 2}),         box("pin", {-1, 5, 1}, {-0.25, 6, 2}),
+            box("far", {100, 100, 100}, {101, 101, 101}), box("core", {4, 4, 1}, {6, 6, 3})};
+}
+
+Mesh joined(const std::vector<Mesh>& meshes) {
+    Mesh all = joinedEnvironment(meshes);
+    for (std::size_t i = 0; i < meshes.size(); ++i) all.components[i].name = meshes[i].components[0].name;
+    return all;
+}
+
+BOOST_AUTO_TEST_CASE(pairs_are_overlaps_contacts_and_gaps_in_this_order) {
+    const std::vector<PartPair> pairs = cli::pairsOf(joined(parts()), 0.3);
+    BOOST_TEST_REQUIRE(pairs.size() == 4u);
+    const auto is = [&](std::size_t i, PartPair::Kind kind, const char* a, const char* b) {
+        BOOST_TEST((pairs[i].kind == kind), i);
+        BOOST_TEST(pairs[i].a == a);
+        BOOST_TEST(pairs[i].b == b);
+    };
+    is(0, PartPair::Kind::kOverlap, "base", "core");  // 1 below the faces of the base
+    BOOST_TEST(std::abs(pairs[0].depth->upper - 2) < 0.03);
+    BOOST_TEST(std::abs(pairs[0].escape->upper - 3) < 0.01);
+    is(1, PartPair::Kind::kOverlap, "base", "bolt");
+    BOOST_TEST(pairs[1].depth->lower <= 0.5);
+    BOOST_TEST(pairs[1].depth->upper >= 0.5);
+    BOOST_TEST(pairs[1].depth->upper < 0.51);
+    BOOST_TEST(pairs[1].escapeDirection == "+x");
+    BOOST_TEST(pairs[1].escape->upper >= 0.5);
+    BOOST_TEST(pairs[1].escape->upper < 0.501);
+    is(2, PartPair::Kind::kContact, "base", "lid");
+    BOOST_TEST(pairs[2].touchingTriangles >= 4u);
+    BOOST_TEST((pairs[2].at - Vector3(5, 5, 4)).norm() < 5);
+    BOOST_TEST(pairs[2].at.z() == 4);
+    is(3, PartPair::Kind::kGap, "base", "pin");
+    BOOST_TEST(pairs[3].lower <= 0.25);
+    BOOST_TEST(pairs[3].upper >= 0.25);
+    BOOST_TEST(pairs[3].at.x() == -0.125);
+    BOOST_TEST(cli::pairsOf(joined(parts()), 0.2).size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(open_parts_that_touch_are_in_contact_of_unknown_depth) {
+    std::vector<Mesh> meshes = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.5, 0.5, 0.5}, {2, 2, 2})};
+    for (Mesh& mesh : meshes) {
+        mesh.triangles.pop_back();
+        --mesh.components[0].triangleCount;
+    }
+    const auto pairs = cli::pairsOf(joined(meshes), 0);
+    BOOST_TEST_REQUIRE(pairs.size() == 1u);
+    BOOST_TEST((pairs[0].kind == PartPair::Kind::kContact));
+    BOOST_TEST(!pairs[0].depth);
+}
+
+BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("parts"));
+    for (const Mesh& mesh : parts()) saveMesh(mesh, folder.file("parts/" + mesh.components[0].name + ".stl"));
+    folder.write("parts/notes.txt", "no mesh");
+    const Outcome found = runIn(folder, "info parts --near 0.3 --csv pairs.csv --json pairs.json");
+    BOOST_TEST_REQUIRE(found.code == 0, found.err);
+    BOOST_TEST(holds(row(found, "assembly"), "6 parts"), found.out);
+    BOOST_TEST(holds(row(found, "contact"), "base", "lid"), found.out);
+    BOOST_TEST(holds(row(found, "gap"), "0.25"), found.out);
+    const auto json = nlohmann::json::parse(readText(folder.file("pairs.json")));
+    BOOST_TEST_REQUIRE(json["pairs"].size() == 4u);
+    BOOST_TEST(json["pairs"][1]["escape"]["direction"] == "+x");
+    const std::string csv = readText(folder.file("pairs.csv"));
+    BOOST_TEST(std::count(csv.begin(), csv.end(), '\n') == 5);
+
+    saveMesh(joined(parts()), folder.file("all.glb"));
+    const Outcome file = runIn(folder, "info all.glb --pairs");
+    BOOST_TEST(holds(row(file, "overlap"), "'base' and 'core'"), file.out);
+    BOOST_TEST(!holds(file.out, "gap:"), file.out);
+    BOOST_TEST(!holds(runIn(folder, "info all.glb").out, "contact:"));
+
+    std::filesystem::create_directory(folder.file("empty"));
+    requireRefused(folder, "info empty", {"'empty' holds no mesh file", ".stl"});
+    requireRefused(folder, "info parts --scale 2", {"--scale", "'parts'"});
+    requireRefused(folder, "info parts --near -1", {"--near is '-1'"});
+}
+
+}  // namespace
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace clearway::testing
