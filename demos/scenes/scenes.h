@@ -108,7 +108,7 @@ GeneratedScene makePuzzle2(const SceneOptions& options);
 /// 40 mm, and nothing else differs: both have equally many triangles, about as many in each face. The path does not turn the part;
 /// in a window it leaves the clearance and a hundredth more on all sides. problem.fineness is half a wall's thickness. The seed varies
 /// nothing. An environment has 1200 triangles or more.
-constexpr SceneOptions kSheets{1, 20000, 60000, 25};  // clearance 1 to 30 mm
+constexpr SceneOptions kSheets{1, 20000, 60000, 25};  // clearance 1 to 28 mm
 GeneratedScene makeSheets(const SceneOptions& options);
 GeneratedScene makeSlabs(const SceneOptions& options);
 

@@ -7,7 +7,7 @@ namespace clearway::scenes {
 
 namespace {
 
-constexpr double kSheetsLeastClearance = 1, kSheetsMostClearance = 30;  // mm
+constexpr double kSheetsLeastClearance = 1, kSheetsMostClearance = 28;  // mm
 constexpr double kSheet = 2, kSlab = 40;                                // mm thick
 constexpr double kApart = 180;                                          // mm from wall to wall
 constexpr double kSheetsRoom = 60;  // mm around the path's positions that planners may use

@@ -35,6 +35,8 @@ struct Standing {
             least = std::min(least, ofScene(scene.first));
             most = std::max(most, ofScene(scene.first));
         }
+        if (logs.size() == 1)
+            return fmt::format("it takes {} time than in trees of {}", percent(mean()), baseline);
         return fmt::format("it takes {} time than in trees of {} ({} to {} in each of {} scenes)",
                            percent(mean()), baseline, percent(least), percent(most), logs.size());
     }
@@ -99,22 +101,25 @@ std::string answerOf(const std::vector<RatioRow>& ratios, const Measured& measur
     const std::string baseline = qualifyingEngine(options).name();
     const std::vector<Standing> paths = standingsOf(ratios, "runs", "files_to_path", options),
                                 asked = standingsOf(ratios, "replay", "seconds", options);
-    if (paths.empty() || asked.empty())
-        return "Too few runs found a path to say which tree is best.\nNothing is known about queries "
-               "either.\n";
-    const Standing &onePath = best(paths), &queries = best(asked);
-    std::string text = fmt::format("For one path, from files to the path, take {}: {}.\n",
-                                   onePath.engine.name(), onePath.text(baseline));
+    std::string text =
+        "For one path, too few runs compare: planners found few paths, or decided otherwise in each tree.\n";
+    if (!paths.empty())
+        text = fmt::format("For one path, from files to the path, take {}: {}.\n", best(paths).engine.name(),
+                           best(paths).text(baseline));
+    if (asked.empty()) return text + "For thousands of queries, no planner left calls to ask again.\n";
+    const Standing& queries = best(asked);
     text +=
         fmt::format("For thousands of queries, take {}: {}", queries.engine.name(), queries.text(baseline));
-    const std::vector<double> repay = queriesToRepay(onePath.engine, queries.engine, measured);
-    if (!(queries.engine == onePath.engine) && !repay.empty()) {
+    if (paths.empty()) return text + ".\n";
+    const Engine& onePath = best(paths).engine;
+    const std::vector<double> repay = queriesToRepay(onePath, queries.engine, measured);
+    if (!(queries.engine == onePath) && !repay.empty()) {
         text += fmt::format(
-            "; after {:.0f} queries (median; {:.0f} to {:.0f} in {} of {} scenes) it has repaid what "
-            "its building takes longer than that of {}",
+            "; after {:.0f} queries (median; {:.0f} to {:.0f} in {} of {} scenes) it has repaid what its "
+            "building takes "
+            "longer than that of {}",
             median(repay), *std::min_element(repay.begin(), repay.end()),
-            *std::max_element(repay.begin(), repay.end()), repay.size(), queries.logs.size(),
-            onePath.engine.name());
+            *std::max_element(repay.begin(), repay.end()), repay.size(), queries.logs.size(), onePath.name());
     }
     return text + ".\n";
 }

@@ -89,7 +89,7 @@ std::vector<std::string> unablePlanners(const std::vector<QualifiedRow>& rows, c
             static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const QualifiedRow& row) {
                 return row.planner == planner && row.enters();
             }));
-        if (entered < std::min(kLeastProblems, scenes.size())) unable.push_back(planner);
+        if (entered < (scenes.size() < kLeastProblems ? 1 : kLeastProblems)) unable.push_back(planner);
     }
     return unable;
 }

@@ -38,7 +38,7 @@ Columns<QualifiedRow> qualifiedColumns();
 QualifiedRow judge(const std::string& scene, const std::string& planner, const Outcomes& outcomes,
                    const StudyOptions& options);
 
-/// The planners that enter fewer than kLeastProblems problems, or all of them where there are fewer problems.
+/// The planners that enter fewer than kLeastProblems problems; where there are fewer problems, those that enter none.
 std::vector<std::string> unablePlanners(const std::vector<QualifiedRow>& rows, const StudyOptions& options);
 
 /// Sets the rows' seeds so that paired runs take at most these seconds of all processes together: options.seeds, or half as many, or

@@ -270,7 +270,7 @@ void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
     problem.meshes.asOmplApp = how ? *how == "omplapp" : !isClearways;
     problem.meshes.partScale = readPositive(values, "clearway.robot.scale").value_or(1);
     problem.meshes.worldScale = readPositive(values, "clearway.world.scale").value_or(1);
-    if (!problem.meshes.partNames.empty() && problem.meshes.asOmplApp)
+    if (!problem.meshes.partNames.empty() && (problem.meshes.asOmplApp || !how))
         values.refuse("clearway.part", "reading = stored beside it: OMPL.app moves the part on reading");
     if (!problem.meshes.partNames.empty() && problem.meshes.partScale != problem.meshes.worldScale)
         values.refuse("clearway.part", "equal robot.scale and world.scale beside it: they read one file");

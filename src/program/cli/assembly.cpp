@@ -27,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kShallow = 1e-4;          ///< of the smaller part's diagonal: what an OverlapMeter resolves
+constexpr double kBelow = 1e-3;            ///< of the smaller part's diagonal, below a surface
+constexpr std::size_t kMostSamples = 200;  ///< of a part's triangles
 constexpr std::size_t kMostPairRows = 40;  ///< of each kind, on screen
 constexpr const char* kMeshEndings[] = {".stl", ".obj", ".ply", ".off", ".gltf", ".glb", ".3mf", ".dae"};
 
@@ -44,6 +46,10 @@ class AssembledPart {
         return *solids_;
     }
     bool isClosed() { return solids().refusals().empty(); }
+    /// Whether a piece of the other part lies wholly inside of this one.
+    bool holds(AssembledPart& other) {
+        return isClosed() && solids().holding({}, other.solids(), {}).has_value();
+    }
     const OverlapMeter& meter() {
         if (!meter_) meter_.emplace(mesh);
         return *meter_;
@@ -67,6 +73,26 @@ std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
         if (!deepest || found.lower > deepest->lower) deepest = found;
     }
     return deepest;
+}
+
+/// A point just below a surface of b that is inside of both closed parts; none is known where the samples have none. Parts that coincide
+/// have their surfaces in each other's, so that no point of these lies deep.
+std::optional<Vector3> sharedPoint(AssembledPart& a, AssembledPart& b) {
+    if (!a.isClosed() || !b.isClosed()) return std::nullopt;
+    const Solid inA(a.mesh, a.name()), inB(b.mesh, b.name());
+    const double below = kBelow * std::min(a.diagonal(), b.diagonal());
+    const std::size_t step = std::max<std::size_t>(1, b.mesh.triangles.size() / kMostSamples);
+    for (std::size_t i = 0; i < b.mesh.triangles.size(); i += step) {
+        const auto& [p, q, r] = b.mesh.triangles[i];
+        const Vector3 &u = b.mesh.vertices[p], &v = b.mesh.vertices[q], &w = b.mesh.vertices[r];
+        const Vector3 normal = (v - u).cross(w - u).normalized(), middle = (u + v + w) / 3;
+        for (const double side : {-below, below}) {
+            const Vector3 point = middle + side * normal;
+            if (point.allFinite() && inA.winding({}, {}, point) > 0 && inB.winding({}, {}, point) > 0)
+                return point;
+        }
+    }
+    return std::nullopt;
 }
 
 void findEscape(const AssembledPart& a, const AssembledPart& b, PartPair& pair) {
@@ -97,10 +123,7 @@ std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, 
     DistanceOptions options;
     options.cap = near;
     const DistanceResult gap = distance(b.model, a.model, {}, options, workspace);
-    const bool isInside =
-        !gap.collides() &&
-        ((a.box.contains(b.box) && a.isClosed() && a.solids().holding({}, b.solids(), {})) ||
-         (b.box.contains(a.box) && b.isClosed() && b.solids().holding({}, a.solids(), {})));
+    const bool isInside = !gap.collides() && a.box.intersects(b.box) && (a.holds(b) || b.holds(a));
     if (!gap.witness && !gap.collides() && !isInside) return std::nullopt;
     PartPair pair;
     pair.a = a.name();
@@ -112,12 +135,16 @@ std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, 
         return pair;
     }
     pair.depth = depthOf(a, b);
-    if (!isInside && (!pair.depth || pair.depth->lower <= kShallow * std::min(a.diagonal(), b.diagonal()))) {
+    const bool isShallow =
+        !isInside && (!pair.depth || pair.depth->lower <= kShallow * std::min(a.diagonal(), b.diagonal()));
+    const std::optional<Vector3> shared = isShallow ? sharedPoint(a, b) : std::nullopt;
+    if (isShallow && !shared) {
         describeContact(a, b, workspace, pair);
         return pair;
     }
     pair.kind = PartPair::Kind::kOverlap;
-    pair.at = pair.depth->point;
+    pair.doCoincide = shared.has_value();
+    pair.at = shared.value_or(pair.depth->point);
     findEscape(a, b, pair);
     return pair;
 }
@@ -126,7 +153,9 @@ std::string pairRow(const PartPair& pair) {
     const std::string names = fmt::format("'{}' and '{}'", pair.a, pair.b), at = " at " + shownPlace(pair.at);
     switch (pair.kind) {
         case PartPair::Kind::kOverlap:
-            return fmt::format("{}, {} deep{}; free by {} along {}", names, shownLength(pair.depth->upper),
+            return fmt::format("{}, {}{}; free by {} along {}", names,
+                               pair.doCoincide ? "surfaces coincide around a shared volume"
+                                               : shownLength(pair.depth->upper) + " deep",
                                at, shownLength(pair.escape->upper), pair.escapeDirection);
         case PartPair::Kind::kContact:
             return fmt::format(
@@ -148,6 +177,7 @@ Json jsonOf(const PartPair& pair) {
                  {"gap", {pair.lower, pair.upper}},
                  {"at", toJson(pair.at)},
                  {"touching_triangles", pair.touchingTriangles},
+                 {"coincide", pair.doCoincide},
                  {"depth", nullptr},
                  {"escape", nullptr}};
     if (pair.depth) json["depth"] = {pair.depth->lower, pair.depth->upper};

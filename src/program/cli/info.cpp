@@ -13,6 +13,7 @@
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
 #include "core/number.h"
+#include "mesh/components.h"
 #include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/lift.h"
@@ -227,6 +228,7 @@ constexpr double kWidestGap = 1e-3;  ///< of an assembly's diagonal: wider gaps 
 void describePairs(const Mesh& assembly, const std::optional<double>& near, const std::string& csv) {
     const double widest = near.value_or(kWidestGap * boundingBox(assembly).diagonal().norm());
     std::cout << "\nPairs of parts\n";
+    if (componentsOf(assembly).size() < 2) printRow("parts", "one alone: there is nothing to compare");
     tellPairs(pairsOf(assembly, widest), widest, csv);
 }
 
@@ -261,12 +263,14 @@ int info(const Arguments& arguments) {
     const bool isFolder = std::filesystem::is_directory(file);
     arePairs = arePairs || isFolder || near || !csv.empty();
     if (arePairs && boost::iends_with(file, ".cfg") && !isFolder)
-        throw std::invalid_argument("--pairs is given with the problem '" + file +
-                                    "', expected a mesh of several components or a folder");
+        throw std::invalid_argument("--pairs, --near and --csv are about assemblies, and '" + file +
+                                    "' is a problem, expected a mesh of several components or a folder");
 
     if (isFolder) {
         if (scale)
             throw std::invalid_argument("--scale is given with the folder '" + file + "', expected a mesh");
+        if (isLift)
+            throw std::invalid_argument("--lift is given with the folder '" + file + "', expected a problem");
         const Mesh assembly = loadAssembly(file);
         printWarnings(assembly.origin.warnings);
         tell({{"assembly",

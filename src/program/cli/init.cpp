@@ -70,6 +70,7 @@ void takePartsOut(InitArguments& given) {
     given.environment = files;
     given.partNames.clear();
     for (const std::size_t component : moving) given.partNames.push_back(names.components()[component].bare);
+    namesOf("--part", given.partNames);  // refused before anything is said
     const auto isInFile = [&](const ObstacleNames::Component& component) { return component.file == file; };
     const auto all = std::count_if(names.components().begin(), names.components().end(), isInFile);
     if (moving.size() == static_cast<std::size_t>(all)) {

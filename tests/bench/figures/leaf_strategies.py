@@ -173,7 +173,7 @@ def draw_ratios(page, results, general, names, left, right, top, limits):
     for tick in TICKS:
         if limits[0] <= tick <= limits[1]:
             page.line(x(tick), top, x(tick), bottom, DARK if tick == 1 else LIGHT, 0.8)
-            page.text(x(tick), bottom + 14, per_cent(tick).replace(" %", "").replace(" x", "x"), 10, "middle")
+            page.text(x(tick), bottom + 14, f"{tick:g}x" if tick >= 2 else per_cent(tick)[:-2], 12, "middle")
     page.text(left, top - 8, f"trees of {general}", 13)
     for k, leaf in enumerate(COLOURS):
         for measure, full in (("planning", False), ("files_to_path", True)):
@@ -191,7 +191,7 @@ def draw_ratios(page, results, general, names, left, right, top, limits):
 def draw_shares(page, results, names, left, right, top):
     """A panel: what the time from files to a path is spent on, in trees of sah without leaf splits."""
     cells = results.rows("leaf_strategies/cells")
-    page.text(left, top - 8, "time in sah/none, files to path", 13)
+    page.text(left, top - 8, "where time in sah/none goes", 13)
     for i, scene in enumerate(names):
         files = results.row("leaf_strategies/files", scene=scene, general_split="sah", leaf_split=NONE)
         own = matching(cells, scene=scene, general_split="sah", leaf_split=NONE)

@@ -50,7 +50,9 @@ BOOST_AUTO_TEST_CASE(a_planner_that_enters_fewer_than_three_problems_is_unable) 
     }
     BOOST_TEST(unablePlanners(rows, options) == std::vector<std::string>({"Q"}),
                boost::test_tools::per_element());
-    BOOST_TEST(unablePlanners({rows[0], rows[1]}, options).empty());  // there is one problem alone
+    BOOST_TEST(unablePlanners({rows[0], rows[1], rows[4], rows[5]}, options).empty());  // two problems alone
+    BOOST_TEST(unablePlanners({rows[4], rows[5]}, options) == std::vector<std::string>({"Q"}),
+               boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(seeds_and_then_the_slowest_planners_go_where_the_time_does_not_suffice) {

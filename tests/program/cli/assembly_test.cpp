@@ -60,6 +60,31 @@ BOOST_AUTO_TEST_CASE(pairs_are_overlaps_contacts_and_gaps_in_this_order) {
     BOOST_TEST(cli::pairsOf(joined(parts()), 0.2).size() == 3u);
 }
 
+/// Surfaces of copies lie nowhere deep in each other, and a piece of a part may be inside of another one whose box does not hold the part's.
+BOOST_AUTO_TEST_CASE(copies_and_pieces_inside_are_overlaps_and_a_block_in_a_corner_is_not) {
+    const auto copies =
+        cli::pairsOf(joined({box("a", {0, 0, 0}, {10, 10, 10}), box("copy", {0, 0, 0}, {10, 10, 10})}), 0);
+    BOOST_TEST_REQUIRE(copies.size() == 1u);
+    BOOST_TEST((copies[0].kind == PartPair::Kind::kOverlap));
+    BOOST_TEST(copies[0].doCoincide);
+    BOOST_TEST(std::abs(copies[0].escape->upper - 10) < 0.01);
+
+    Mesh pieces = joined({box("b", {4, 4, 4}, {6, 6, 6}), box("c", {50, 50, 50}, {60, 60, 60})});
+    pieces.components = {{"pieces", 0, static_cast<std::uint32_t>(pieces.triangles.size())}};
+    const auto inside = cli::pairsOf(joined({box("a", {0, 0, 0}, {10, 10, 10}), pieces}), 0.1);
+    BOOST_TEST_REQUIRE(inside.size() == 1u);
+    BOOST_TEST((inside[0].kind == PartPair::Kind::kOverlap));
+    BOOST_TEST(std::abs(inside[0].depth->upper - 5) < 1.1);
+
+    const auto corner =
+        cli::pairsOf(joined({box("floor", {0, 0, 0}, {9, 9, 1}), box("wall", {0, 0, 1}, {1, 9, 9}),
+                             box("block", {1, 1, 1}, {4, 4, 4})}),
+                     0);
+    BOOST_TEST(corner.size() == 3u);
+    for (const PartPair& pair : corner)
+        BOOST_TEST((pair.kind == PartPair::Kind::kContact), pair.a << " " << pair.b);
+}
+
 BOOST_AUTO_TEST_CASE(open_parts_that_touch_are_in_contact_of_unknown_depth) {
     std::vector<Mesh> meshes = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.5, 0.5, 0.5}, {2, 2, 2})};
     for (Mesh& mesh : meshes) {

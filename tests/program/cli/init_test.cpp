@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     const auto made = factsOf(folder, "init all.glb --part block --out p.cfg");
     BOOST_TEST(made["part"]["triangles"] == 12);
     BOOST_TEST(made["environment"]["triangles"] == 36);
-    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.5, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(made["clearance_at_start"].get<double>() == 0.3, boost::test_tools::tolerance(1e-6));
     const Problem problem = readProblem(folder.file("p.cfg"));
     BOOST_TEST(problem.meshes.partNames == std::vector<std::string>({"block"}),
                boost::test_tools::per_element());
