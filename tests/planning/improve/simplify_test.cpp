@@ -3,6 +3,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
+#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <optional>
@@ -158,12 +159,12 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_leaves_a_valid_path) {
 BOOST_AUTO_TEST_CASE(a_spent_budget_costs_one_audit) {
     const Fixture f;
     auto path = pathOf(f, {f.at({-60, 0, 0}), f.at({-60, 10, 0}), f.at({-60, 20, 0})});
-    int asked = 0;
+    std::atomic<int> asked{0};  // several threads ask
     MotionOptions motions;
     motions.isStopped = [&] { return ++asked < 0; };
     const MotionValidator counting(f.si, f.validator->scene(), motions);
     audit(path, counting);
-    const int once = std::exchange(asked, 0);
+    const int once = asked.exchange(0);
     SimplifyOptions options = withFloor(1e3);
     options.isSpent = [] { return true; };
     BOOST_TEST(simplify(path, counting, options).isValid());
