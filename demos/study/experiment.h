@@ -37,8 +37,6 @@ struct StudyOptions {
     /// True: other leaf sizes, widths and instruction sets are not replayed.
     bool isShort = false;
     int tablePoses = 1000;
-    std::size_t jobs =
-        0;  ///< processes that measure, each on a processor of its own; 0: one for each processor
 
     std::function<bool()> isStopped;
     std::function<void(const std::string&)> tell;  ///< takes one line

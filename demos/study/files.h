@@ -1,4 +1,4 @@
-// What a user waits for before a planner begins: reading the files and building the trees.
+// Times the wait before a planner begins: reading the files and building the trees.
 #pragma once
 
 #include <functional>

@@ -186,7 +186,7 @@ int runStudy(const Arguments& arguments) {
         return loadProblem(problems.at(position));
     };
     // Workers are copies of this process, which has no threads yet; making scenes starts some.
-    study::Workers workers(given.options.jobs, study::studyJobs(load, given.options, given.folder));
+    study::Workers workers(0, study::studyJobs(load, given.options, given.folder));
     problems = studiedProblems(given);
     study::StudyResult result;
     if (!isInterrupted())

@@ -28,7 +28,7 @@ struct QualifiedRow {
         medianSeconds;  ///< of all runs, those without a path counted as the slowest; empty when that is one of them
     std::string verdict;   ///< enters; or why not: "solves too few", "too slow"
     Measure limitSeconds;  ///< of the paired runs; empty unless it enters
-    /// Of the paired runs; 0 unless it enters, and for the slowest where the study's minutes do not suffice.
+    /// The number of paired runs in each tree; 0 unless it enters, and for the slowest where the study's minutes do not suffice.
     std::uint64_t seeds = 0;
 
     bool enters() const { return limitSeconds.has_value(); }

@@ -8,9 +8,11 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "clearway/obstacle_groups.h"
 #include "clearway/query.h"
+#include "core/number.h"
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "mesh/components.h"

@@ -1,4 +1,4 @@
-// What touches what among the parts of an assembly: the components of a mesh file, or of the files of a folder.
+// Finds which parts of an assembly touch, overlap or are near. Its parts are the components of a mesh file, or of the files of a folder.
 #pragma once
 
 #include <string>

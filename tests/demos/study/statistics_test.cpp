@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(runs_are_compared_with_those_of_their_seed_in_both_other_tr
     BOOST_TEST(find(ratios, "planning", "axis/chain", "sah/none")->median == 1);
     BOOST_TEST(find(ratios, "planning", "axis/none", "sah/none")->median == 2);
     BOOST_TEST(find(ratios, "planning", "sah/none", "sah/none") == nullptr);
-    // Of the seeds 1 to 5 the third has the median ratio: (2 + 1.5 * 9) / (1 + 9).
+    // The third of the five seeds has the median ratio: (2 + 1.5 * 9) / (1 + 9).
     BOOST_TEST(find(ratios, "files_to_path", "sah/chain", "sah/none")->median == 1.55);
 
     const auto cells = cellsOf(measured, twoTrees());

@@ -7,7 +7,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "support/motion_scene.h"
 #include "support/motion_window.h"
