@@ -37,8 +37,13 @@ def ranked(words):
     return [MPIEXEC, "-n", "4", PROGRAM, *words]
 
 
+def environment(folder, **more):
+    """Open MPI keeps its sessions below TMPDIR, where two jobs that start at once may fail to make one folder."""
+    return dict(ENVIRONMENT, TMPDIR=str(folder), **more)
+
+
 def run(words, folder, **more):
-    return subprocess.run(words, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=SECONDS, **more)
+    return subprocess.run(words, cwd=folder, env=environment(folder), capture_output=True, text=True, timeout=SECONDS, **more)
 
 
 def show(done):
@@ -47,7 +52,7 @@ def show(done):
 
 def start(words, folder, **more):
     return subprocess.Popen(
-        ranked(words), cwd=folder, env=dict(ENVIRONMENT, **more), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        ranked(words), cwd=folder, env=environment(folder, **more), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
 
 
