@@ -70,9 +70,9 @@ std::string Recorder::contents() const {
 
 /// The share of the path's length along which the environment is near.
 double Recorder::nearShare() const {
-    const report::PathLine line(path, part.radiusAboutOrigin());
+    const PathLine line(path, part.radiusAboutOrigin());
     std::size_t near = 0;
-    for (const double share : report::evenShares(kNearSamples))
+    for (const double share : evenShares(kNearSamples))
         near += clearance.at(poseOf(line.at(share))).lower <= kNear * stated();
     return static_cast<double>(near) / kNearSamples;
 }
@@ -108,17 +108,16 @@ std::string Recorder::writeReplay() const {
 }
 
 void Recorder::writePreview() const {
-    const report::PathLine line(path, part.radiusAboutOrigin());
-    std::vector<render::PosedPart> poses = posesAt(line, report::evenShares(kUsualPoses), clearance, false);
+    const PathLine line(path, part.radiusAboutOrigin());
+    std::vector<render::PosedPart> poses = posesAt(line, evenShares(kUsualPoses), clearance, false);
     chooseGhosts(part, poses);
     render::RenderOptions drawing;
     drawing.view = origin.row.preview;
     drawing.width = kPreviewWidth;
     drawing.height = kPreviewHeight;
     drawing.isStopped = isInterrupted;
-    const render::Image picture =
-        render::render(partMesh, environmentMesh, poses,
-                       posesAt(line, report::evenShares(kWayPoses), clearance, false), drawing);
+    const render::Image picture = render::render(
+        partMesh, environmentMesh, poses, posesAt(line, evenShares(kWayPoses), clearance, false), drawing);
     if (!picture.pixels.empty()) render::writePng(picture, files.preview);
 }
 

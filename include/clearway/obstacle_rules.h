@@ -4,7 +4,7 @@
 // begin with the name and a '/' (as those of all meshes of a node do), or for all components of the file of
 // this name. A file may be named with or without its ending, and with its last folders if several files have
 // the name. With several files, components are called FILE/NAME; NAME alone is enough if only one file has
-// it.
+// it. Otherwise a name with * (any text) or ? (any character) stands for all components whose FILE/NAME or NAME it matches.
 #pragma once
 
 #include <map>

@@ -82,8 +82,8 @@ struct ProblemMeshes {
     std::string robot;
     std::string world;                       ///< mesh file of the environment, found like robot
     std::vector<std::string> furtherWorlds;  ///< further mesh files of the environment; see readProblem
-    /// `part`: the components of robot, by names as of obstacle rules, that move; its others stand still, so robot must be one of the
-    /// environment's files. Empty: all of robot moves.
+    /// `part`: the components that move as one, by names as of obstacle rules, of robot and of the environment's files, of which robot must
+    /// be one. All other components stand still. Empty: all of robot moves, and nothing else.
     std::vector<std::string> partNames;
     double partScale = 1;   ///< `robot.scale`: LoadOptions::scale of the part's mesh
     double worldScale = 1;  ///< `world.scale`: LoadOptions::scale of the environment's meshes
@@ -185,7 +185,7 @@ using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions
 /// ProblemMeshes::isReadingStated), or partNames names no component, or all of them.
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 
-/// Loads the meshes of the environment, one for each of worldFiles(). Reads and throws as loadPart does.
+/// Loads the meshes of the environment, one for each of worldFiles() of which a component stands still. Reads and throws as loadPart does.
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
 
 /// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
@@ -199,6 +199,13 @@ struct SceneMeshes {
 
 /// Loads all meshes of a problem. Throws as loadPart and loadWorlds do.
 SceneMeshes loadMeshes(const Problem& problem, const MeshReader& read = loadMesh);
+
+/// The mesh files of an assembly: the path itself, or those of the formats that clearway checks that lie in the folder of this path, by name.
+/// Folders in it are not read. Throws FileError when the folder holds none.
+std::vector<std::string> assemblyFiles(const std::string& path);
+
+/// Reads an assembly's files as one mesh, as stored; see assemblyFiles() and joinedEnvironment(). Throws as these and `read` do.
+Mesh loadAssembly(const std::string& path, const MeshReader& read = loadMesh);
 
 /// A note on how far reading as OMPL.app does has moved the part, if the problem has no key `reading`; otherwise
 /// empty. part: from loadPart.

@@ -119,41 +119,71 @@ void Document::write(std::ostream& stream) {
         stream.write(static_cast<const char*>(piece.data), static_cast<std::streamsize>(piece.bytes));
 }
 
-FloatJson materialOf(const char* name, const std::array<float, 4>& colour) {
+FloatJson materialOf(const std::string& name, const std::array<float, 4>& colour) {
     return {{"name", name},
             {"doubleSided", true},
             {"pbrMetallicRoughness",
              {{"baseColorFactor", colour}, {"metallicFactor", 0}, {"roughnessFactor", 0.7}}}};
 }
 
-/// The keys as the format stores them: one list for each kind of number.
+/// Colours of movers, which take turns.
+constexpr std::array<float, 4> kMoverColours[] = {{0.95f, 0.45f, 0.05f, 1}, {0.02f, 0.35f, 0.80f, 1},
+                                                  {0.10f, 0.50f, 0.15f, 1}, {0.65f, 0.05f, 0.30f, 1},
+                                                  {0.80f, 0.65f, 0.05f, 1}, {0.05f, 0.55f, 0.60f, 1}};
+
+/// A mover's keys as the format stores them: one list for each kind of number.
 struct Samples {
     std::vector<float> times;
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<float, 4>> rotations;
+    std::vector<float> showTimes;
+    std::vector<std::array<float, 3>> scales;
 
-    explicit Samples(const std::vector<GlbKey>& keys) {
-        for (const GlbKey& key : keys) {
+    explicit Samples(const GlbMover& mover) {
+        for (const GlbKey& key : mover.keys) {
             times.push_back(key.seconds);
             positions.push_back(key.position);
             rotations.push_back(key.rotation);
         }
+        if (mover.hiddenFrom < 0) return;
+        showTimes = {0, mover.hiddenFrom};
+        scales = {{1, 1, 1}, {0, 0, 0}};
     }
 };
 
-/// times, positions, rotations: numbers of the accessors of the keys.
-FloatJson animationOf(const std::string& name, std::size_t node, std::size_t times, std::size_t positions,
-                      std::size_t rotations) {
-    const auto sampler = [&](std::size_t output) {
-        return FloatJson{{"input", times}, {"interpolation", "LINEAR"}, {"output", output}};
-    };
-    const auto channel = [&](int number, const char* path) {
-        return FloatJson{{"sampler", number}, {"target", {{"node", node}, {"path", path}}}};
-    };
-    return {{"name", name},
-            {"channels", {channel(0, "translation"), channel(1, "rotation")}},
-            {"samplers", {sampler(positions), sampler(rotations)}}};
-}
+/// Adds the channels of one mover to an animation.
+class Channels {
+  public:
+    Channels(Document& document, FloatJson& animation, std::size_t node)
+        : document_(document), animation_(animation), node_(node) {}
+
+    void add(const Samples& samples) {
+        const std::size_t times = addTimes(samples.times);
+        add("translation", times, document_.addAccessor(samples.positions, kFloat, "VEC3", 0), "LINEAR");
+        add("rotation", times, document_.addAccessor(samples.rotations, kFloat, "VEC4", 0), "LINEAR");
+        if (samples.showTimes.empty()) return;
+        add("scale", addTimes(samples.showTimes), document_.addAccessor(samples.scales, kFloat, "VEC3", 0),
+            "STEP");
+    }
+
+  private:
+    std::size_t addTimes(const std::vector<float>& times) {
+        return document_.addAccessor(
+            times, kFloat, "SCALAR", 0,
+            {{"min", FloatJson::array({times.front()})}, {"max", FloatJson::array({times.back()})}});
+    }
+    void add(const char* path, std::size_t input, std::size_t output, const char* interpolation) {
+        const std::size_t sampler = animation_["samplers"].size();
+        animation_["samplers"].push_back(
+            {{"input", input}, {"interpolation", interpolation}, {"output", output}});
+        animation_["channels"].push_back(
+            {{"sampler", sampler}, {"target", {{"node", node_}, {"path", path}}}});
+    }
+
+    Document& document_;
+    FloatJson& animation_;
+    std::size_t node_;
+};
 
 std::array<float, 3> rounded(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
     if (vertex.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
@@ -202,39 +232,34 @@ void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream) {
     document.write(stream);
 }
 
-void writeMovingGlb(const GlbMotion& motion, std::ostream& stream) {
+void writeMovingGlb(const std::vector<SavePart>& still, const std::vector<GlbMover>& movers, double metres,
+                    std::ostream& stream) {
     Document document;
     const auto addParts = [&](const std::vector<SavePart>& parts, const FloatJson& material) {
-        const std::size_t number = document.add("materials", material);
         FloatJson nodes = FloatJson::array();
+        if (parts.empty()) return nodes;
+        const std::size_t number = document.add("materials", material);
         for (const SavePart& part : parts) nodes.push_back(document.addPart(part, {{"material", number}}));
         return nodes;
     };
-    FloatJson nodes = addParts(motion.still, materialOf("environment", {0.55f, 0.56f, 0.58f, 1}));
-    const auto addRoot = [&] {
-        FloatJson root = FloatJson::array();
-        for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? motion.metres * kUpright[i] : kUpright[i]);
-        document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
-    };
-    if (motion.moving.empty()) {
-        addRoot();
-        return document.write(stream);
+    FloatJson nodes = addParts(still, materialOf("environment", {0.55f, 0.56f, 0.58f, 1}));
+    FloatJson animation = {{"name", movers.size() == 1 ? movers[0].name : "moving parts"}};
+    const std::vector<Samples> samples(movers.begin(), movers.end());  // outlives the document
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        const GlbKey& first = movers[i].keys.front();
+        const auto& colour = kMoverColours[i % std::size(kMoverColours)];
+        const std::size_t node =
+            document.add("nodes", {{"name", movers[i].name},
+                                   {"translation", first.position},
+                                   {"rotation", first.rotation},
+                                   {"children", addParts(movers[i].parts, materialOf("part", colour))}});
+        nodes.push_back(node);
+        Channels(document, animation, node).add(samples[i]);
     }
-    const FloatJson movingNodes = addParts(motion.moving, materialOf("part", {0.95f, 0.45f, 0.05f, 1}));
-    const GlbKey& first = motion.keys.front();
-    const std::size_t mover = document.add("nodes", {{"name", motion.name},
-                                                     {"translation", first.position},
-                                                     {"rotation", first.rotation},
-                                                     {"children", movingNodes}});
-    nodes.push_back(mover);
-    addRoot();
-    const Samples samples(motion.keys);
-    const FloatJson span = {{"min", FloatJson::array({0})},
-                            {"max", FloatJson::array({samples.times.back()})}};
-    const std::size_t times = document.addAccessor(samples.times, kFloat, "SCALAR", 0, span);
-    const std::size_t positions = document.addAccessor(samples.positions, kFloat, "VEC3", 0);
-    const std::size_t rotations = document.addAccessor(samples.rotations, kFloat, "VEC4", 0);
-    document.add("animations", animationOf(motion.name, mover, times, positions, rotations));
+    FloatJson root = FloatJson::array();
+    for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? metres * kUpright[i] : kUpright[i]);
+    document.addRoot(document.add("nodes", {{"name", "scene"}, {"matrix", root}, {"children", nodes}}));
+    if (!movers.empty()) document.add("animations", animation);
     document.write(stream);
 }
 

@@ -27,25 +27,24 @@ std::vector<SavePart> savePartsOf(const Mesh& mesh, const std::string& namelessN
 /// the parts need more than the 4 GiB that the format can address.
 void writeGlb(const std::vector<SavePart>& parts, std::ostream& stream);
 
-/// Where the moving parts are at one time. Between two keys they move straight and turn evenly, the shorter
-/// way.
+/// Where a mover is at one time. Between two keys it moves straight and turns evenly, the shorter way.
 struct GlbKey {
     float seconds = 0;
     std::array<float, 3> position{};
     std::array<float, 4> rotation{0, 0, 0, 1};  ///< x y z w, unit length
 };
 
-/// An animated scene.
-struct GlbMotion {
-    std::vector<SavePart> still;
-    std::vector<SavePart> moving;  ///< in coordinates of the node that moves
-    std::string name;              ///< of the moving node and of the animation
-    std::vector<GlbKey> keys;      ///< at least one if anything moves, times rising from 0
-    double metres = 1;             ///< in one unit of the coordinates
+/// Parts that move as one.
+struct GlbMover {
+    std::string name;             ///< of the node that moves
+    std::vector<SavePart> parts;  ///< at least one, in coordinates of the node
+    std::vector<GlbKey> keys;     ///< at least one, times rising
+    float hiddenFrom = -1;        ///< seconds; negative: always shown
 };
 
-/// Writes the still parts and, if there are any, a node with the moving parts and the animation, under a root that
-/// scales to metres and turns z (up in clearway) to y (up in glTF). Throws as writeGlb does.
-void writeMovingGlb(const GlbMotion& motion, std::ostream& stream);
+/// Writes the still parts and the movers, with one animation of all movers, under a root that scales to metres (metres: in one unit of the
+/// coordinates) and turns z (up in clearway) to y (up in glTF). Throws as writeGlb does.
+void writeMovingGlb(const std::vector<SavePart>& still, const std::vector<GlbMover>& movers, double metres,
+                    std::ostream& stream);
 
 }  // namespace clearway

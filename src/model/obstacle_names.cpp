@@ -1,6 +1,8 @@
 // Labels files and components uniquely, and looks names up among them.
 #include "model/obstacle_names.h"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -139,6 +141,15 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
         for (const std::size_t f : called) labels.push_back(labels_[f]);
         throw ArgumentError(rule + " names '" + name +
                             "', which is the name of several files, expected one of " + listed(labels));
+    }
+    if (name.find_first_of("*?") != std::string::npos) {
+        const auto matches = [&](const std::string& text) {
+            return fnmatch(name.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
+        };
+        found = where(components_, [&](const Component& component) {
+            return matches(component.name) || matches(component.bare);
+        });
+        if (!found.empty()) return found;
     }
     found = where(components_, [&](const Component& component) { return component.bare == name; });
     if (found.size() == 1) return found;

@@ -163,19 +163,45 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
     return mesh;
 }
 
-/// Divides the part's file into the components that move and those that stand still, which may be none.
-std::pair<std::vector<std::size_t>, std::vector<std::size_t>> dividedFile(const Problem& problem,
-                                                                          const Mesh& file) {
-    const ObstacleNames names({file});
+/// The files of an assembly, each divided into the components that move and those that stand still; either may be empty.
+struct DividedFiles {
+    std::vector<Mesh> moving, still;
+};
+
+std::vector<Mesh> loadWorldFiles(const Problem& problem, const MeshReader& read) {
+    std::vector<Mesh> worlds;
+    for (const std::string& file : worldFiles(problem)) {
+        worlds.push_back(
+            loadAs(problem, file, problem.meshes.worldScale, MeshReading::kOmplAppEnvironment, read));
+    }
+    return worlds;
+}
+
+DividedFiles divideFiles(const Problem& problem, const MeshReader& read) {
+    const std::vector<std::string> files = worldFiles(problem);
+    if (std::find(files.begin(), files.end(), problem.meshes.robot) == files.end())
+        throw ArgumentError(
+            "part names components of '" + problem.meshes.robot +
+            "', expected this file among the environment's, too: its other components stand still");
+    const std::vector<Mesh> meshes = loadWorldFiles(problem, read);
+    const ObstacleNames names(meshes);
     std::set<std::size_t> moving;
     for (const std::string& name : problem.meshes.partNames) {
         for (const std::size_t component : names.find("part", name)) moving.insert(component);
     }
-    std::vector<std::size_t> still;
-    for (std::size_t i = 0; i < names.components().size(); ++i) {
-        if (moving.count(i) == 0) still.push_back(i);
+    DividedFiles divided;
+    std::size_t component = 0;
+    for (const Mesh& mesh : meshes) {
+        std::vector<std::size_t> chosen, rest;
+        for (std::size_t i = 0; i < componentsOf(mesh).size(); ++i, ++component)
+            (moving.count(component) > 0 ? chosen : rest).push_back(i);
+        if (!chosen.empty()) divided.moving.push_back(meshOfComponents(mesh, chosen));
+        if (!rest.empty()) divided.still.push_back(meshOfComponents(mesh, rest));
     }
-    return {{moving.begin(), moving.end()}, still};
+    if (divided.still.empty())
+        throw ArgumentError("part names all components of '" + problem.meshes.robot +
+                            "', expected one that stands still, or a further file in [problem] world");
+    return divided;
 }
 
 }  // namespace
@@ -243,35 +269,21 @@ Box boundsOf(const Problem& problem, const Box& environmentBox, const Box& partB
 }
 
 Mesh loadPart(const Problem& problem, const MeshReader& read) {
-    const bool isSpatial = problem.space == Space::kSe3;
-    Mesh part = loadAs(problem, problem.meshes.robot, problem.meshes.partScale,
-                       isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
-    if (!problem.meshes.partNames.empty()) part = meshOfComponents(part, dividedFile(problem, part).first);
+    Mesh part;
+    if (problem.meshes.partNames.empty()) {
+        const bool isSpatial = problem.space == Space::kSe3;
+        part = loadAs(problem, problem.meshes.robot, problem.meshes.partScale,
+                      isSpatial ? MeshReading::kOmplAppRobot : MeshReading::kOmplAppPlanarRobot, read);
+    } else {
+        part = joinedEnvironment(divideFiles(problem, read).moving);
+    }
     requirePartExtent(part);
     return part;
 }
 
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read) {
-    const std::vector<std::string> files = worldFiles(problem);
-    const auto isPartFile = [&](const std::string& file) { return file == problem.meshes.robot; };
-    if (!problem.meshes.partNames.empty() && std::none_of(files.begin(), files.end(), isPartFile))
-        throw ArgumentError(
-            "part names components of '" + problem.meshes.robot +
-            "', expected this file among the environment's, too: its other components stand still");
-    std::vector<Mesh> worlds;
-    for (const std::string& file : files) {
-        Mesh world = loadAs(problem, file, problem.meshes.worldScale, MeshReading::kOmplAppEnvironment, read);
-        if (!problem.meshes.partNames.empty() && isPartFile(file)) {
-            const std::vector<std::size_t> still = dividedFile(problem, world).second;
-            if (still.empty() && files.size() > 1) continue;
-            if (still.empty())
-                throw ArgumentError("part names all components of '" + file +
-                                    "', expected one that stands still, or [problem] world");
-            world = meshOfComponents(world, still);
-        }
-        worlds.push_back(std::move(world));
-    }
-    return worlds;
+    return problem.meshes.partNames.empty() ? loadWorldFiles(problem, read)
+                                            : divideFiles(problem, read).still;
 }
 
 std::string readingNote(const Problem& problem, const Mesh& part) {

@@ -9,7 +9,7 @@ constexpr int kMostCuts = 60;                   ///< of one prism
 constexpr double kLeastTetrahedron = 1.0 / 60;  ///< of the most move
 constexpr double kShorter = 0.7;                ///< a move that is not certified is shortened to this
 
-using Tetrahedron = std::array<Vector3, 4>;
+using PlaceTetrahedron = std::array<Vector3, 4>;
 
 class Certificate {
   public:
@@ -63,7 +63,7 @@ class Certificate {
         return false;
     }
 
-    bool isNear(const Tetrahedron& t) {
+    bool isNear(const PlaceTetrahedron& t) {
         if (cuts_-- <= 0) return false;
         const std::uint32_t triangle = nearest_.of(0.25 * (t[0] + t[1] + t[2] + t[3])).triangle;
         const Corners3 face = nearestSurface_.corners(triangle);
@@ -92,7 +92,7 @@ class Certificate {
             if (longest < kLeastTetrahedron * most_) return false;
         }
         const Vector3 cut = t[one] + share * (t[other] - t[one]);
-        Tetrahedron first = t, second = t;
+        PlaceTetrahedron first = t, second = t;
         first[one] = cut;
         second[other] = cut;
         return isNear(first) && isNear(second);
@@ -100,8 +100,8 @@ class Certificate {
 
     /// Cuts an edge from the worst corner where it leaves the prism over the face, if another corner is within that side. Halves alone
     /// would be many, because faces may be a thousand times as large as moves.
-    static bool cutBeside(const Tetrahedron& t, const Corners3& face, std::size_t worst, std::size_t& other,
-                          double& share) {
+    static bool cutBeside(const PlaceTetrahedron& t, const Corners3& face, std::size_t worst,
+                          std::size_t& other, double& share) {
         const Vector3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
         double furthest = 0, most = 0;
         bool isCut = false;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "clearway/planning/check_path.h"
 #include "clearway/problem.h"
 #include "support/full_run.h"
 #include "support/invalid_words.h"
@@ -217,10 +218,42 @@ BOOST_AUTO_TEST_CASE(demos_take_problems_whose_obstacles_count_apart_or_not_at_a
     BOOST_TEST(holds(splits, "plitting leaves"), splits);  // an answer, or too quick to tell
 }
 
+/// The lower box lies on the floor, below the upper one.
+BOOST_AUTO_TEST_CASE(disassemble_writes_paths_that_hold_among_the_parts_still_there_and_says_what_is_held) {
+    const TemporaryFolder folder;
+    const auto box = [](const char* name, const Vector3& low, const Vector3& high) {
+        return boxMesh(Box(low, high), name);
+    };
+    std::filesystem::create_directory(folder.file("parts"));
+    for (const Mesh& part : {box("floor", {0, 0, 0}, {20, 20, 2}), box("lower", {4, 4, 2}, {10, 10, 5}),
+                             box("upper", {2, 2, 5.01}, {12, 12, 8})})
+        saveMesh(part, folder.file("parts/" + part.components[0].name + ".obj"));
+    const std::string program = CLEARWAY_DEMOS "/demo_disassemble '";
+    const Story apart = run(folder, program + folder.file("parts") + "' '" + folder.file("out") + "/'");
+    BOOST_TEST(apart.code == 0, apart.err);
+    BOOST_TEST(holds(apart.out, "2 of 3 parts came out one after the other", "the last one is alone"),
+               apart.out);
+    BOOST_TEST(std::filesystem::exists(folder.file("out/disassembly.glb")));
+    int paths = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file("out"))) {
+        if (entry.path().extension() != ".cfg") continue;
+        ++paths;
+        const Problem problem = readProblem(entry.path().string());
+        std::filesystem::path path = entry.path();
+        path.replace_extension(".path");
+        const planning::PathCheck check =
+            planning::checkPath(problem, loadScene(problem).scene, readPath(path.string(), problem.space));
+        BOOST_TEST(check.audit.isValid());
+        BOOST_TEST(check.beginsAtStart());
+        BOOST_TEST(check.endsAtGoal());
+    }
+    BOOST_TEST(paths == 2);
+}
+
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {
     const TemporaryFolder folder;
-    for (const std::string demo :
-         {"console", "clearance_optimal", "leaf_strategies", "replan", "distance", "smallest_checker"}) {
+    for (const std::string demo : {"console", "clearance_optimal", "disassemble", "leaf_strategies", "replan",
+                                   "distance", "smallest_checker"}) {
         const Story story = run(folder, CLEARWAY_DEMOS "/demo_" + demo);
         BOOST_TEST(story.code == 2);
         BOOST_TEST(holds(story.err, "expected"), story.err);

@@ -33,6 +33,10 @@ struct ScrewShape {
 /// The screw's axis is tilted; shift: of the axis from the origin.
 AssembledProblem screwAndNut(const ScrewShape& shape, double shift);
 
+/// Twelve parts on a base: two screws in nuts, one with a washer, a shaft with a key in its hub, a lid with lugs in its pot, and a clip that
+/// no rigid motion takes off its post. Some parts touch. 155 long.
+Mesh pumpAssembly();
+
 /// Writes PROBLEM.cfg, PROBLEM_part.obj and PROBLEM_environment.obj into the folder; the goal is outside. keys: further lines. Returns
 /// the .cfg file's path.
 std::string writeAssembledProblem(const AssembledProblem& problem, const std::string& folder,

@@ -22,8 +22,8 @@ Vector3 atAngle(double radius, double angle, double z) {
 }
 
 AssembledProblem tilted(const std::string& name, const Assembly& part, const Assembly& environment,
-                        const Vector3& shift = Vector3::Zero()) {
-    const Eigen::AngleAxisd turn(0.7, Vector3(1, 2, 3).normalized());
+                        const Vector3& shift = Vector3::Zero(), double angle = 0.7) {
+    const Eigen::AngleAxisd turn(angle, Vector3(1, 2, 3).normalized());
     const Pose X{turn.toRotationMatrix(), shift};
     return {name, transformed(part.mesh(), X), transformed(environment.mesh(), X)};
 }
@@ -226,6 +226,61 @@ AssembledProblem keyway() {
     return tilted("keyway", hub, shaft);
 }
 
+/// A round contour with a key. half: of the key's width, degrees.
+Polyline keyedLoop(double radius, double key, double half) {
+    Polyline loop;
+    const auto add = [&](double length, double angle) {
+        loop.push_back(atAngle(length, angle * kDegree, 0).head<2>());
+    };
+    constexpr int kSegments = 136;
+    const double end = half + kFacet / 10;
+    for (int i = -4; i <= 4; ++i) add(key, half * i / 4);
+    for (int i = 0; i <= kSegments; ++i) add(radius, end + (360 - 2 * end) * i / kSegments);
+    return loop;
+}
+
+std::vector<std::uint32_t> loopAt(Skin& skin, const Polyline& loop, double z) {
+    std::vector<std::uint32_t> vertices;
+    for (const Vector2& point : loop) vertices.push_back(skin.add({point.x(), point.y(), z}));
+    return vertices;
+}
+
+Piece keyedShaft(double radius, double key, double half, const Vector2& heights) {
+    Skin skin;
+    const Polyline loop = keyedLoop(radius, key, half);
+    const auto below = loopAt(skin, loop, heights[0]), above = loopAt(skin, loop, heights[1]);
+    skin.band(below, above);
+    skin.fan(reversed(below), {0, 0, heights[0]});
+    skin.fan(above, {0, 0, heights[1]});
+    return skin.piece;
+}
+
+/// A ring on z = 0 whose hole has room for a key.
+Piece keyedRing(double radius, double key, double outer, double height) {
+    Skin skin;
+    const Polyline inside = keyedLoop(radius, key, 10);
+    Polyline outside = inside;
+    for (Vector2& point : outside) point *= outer / point.norm();
+    const auto innerBelow = loopAt(skin, inside, 0), innerAbove = loopAt(skin, inside, height);
+    const auto outerBelow = loopAt(skin, outside, 0), outerAbove = loopAt(skin, outside, height);
+    skin.band(outerBelow, outerAbove);
+    skin.band(outerAbove, innerAbove);
+    skin.band(innerAbove, innerBelow);
+    skin.band(innerBelow, outerBelow);
+    return skin.piece;
+}
+
+Piece together(const std::vector<Piece>& pieces) {
+    Piece all;
+    for (const Piece& piece : pieces) {
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+        for (const TriangleIndices& triangle : piece.triangles)
+            all.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    }
+    return all;
+}
+
 /// A ring on a shaft and in a housing.
 AssembledProblem bearingWithPlay() {
     constexpr double kGap = 0.02;
@@ -237,8 +292,9 @@ AssembledProblem bearingWithPlay() {
     return tilted("bearing", ring, housing);
 }
 
-/// A shaft with two lugs: up, a turn along the groove, and up again. end: of the groove; out: where the slots lead out; degrees.
-AssembledProblem bayonet(const std::string& name, double end, double out) {
+/// A shaft with two lugs: up, a turn along the groove, and up again. end: of the groove; out: where the slots lead out; degrees. tilt: of
+/// the axis, radians.
+AssembledProblem bayonet(const std::string& name, double end, double out, double tilt = 0.7) {
     constexpr double kGap = 0.02, kLug = 10, kGapAngle = kGap / 9 / kDegree, kSlot = kLug + kGapAngle;
     Assembly shaft, socket;
     shaft.add("shaft", disc(8, -2, 14, 144));
@@ -253,7 +309,7 @@ AssembledProblem bayonet(const std::string& name, double end, double out) {
         socket.addNumbered("over",
                            sector(radii, {side + out + kSlot, side + out + 180 - kSlot}, {7 + 2 * kGap, 12}));
     }
-    return tilted(name, shaft, socket);
+    return tilted(name, shaft, socket, Vector3::Zero(), tilt);
 }
 
 /// An arc in a curved channel.
@@ -331,6 +387,33 @@ AssembledProblem screwAndNut(const ScrewShape& shape, double shift) {
         around.add("nut", nut(top - kPitch * (held + 3), held, shape));
     }
     return tilted(shape.isShutIn ? "captive" : "screw", screw, around, {shift, 0.3 * shift, -0.2 * shift});
+}
+
+Mesh pumpAssembly() {
+    constexpr double kGap = 0.02;
+    const ScrewShape screw{24, 7 + kPitch, 7};
+    Assembly pump;
+    const auto add = [&](const std::string& name, double x, double z, const std::vector<Piece>& pieces) {
+        pump.add(name, scenes::placed(together(pieces),
+                                      [&](const Vector3& p) -> Vector3 { return p + Vector3(x, 0, z); }));
+    };
+    add("base", 0, 0, {blockBetween({-15, -20, -6}, {140, 20, 0})});
+    add("post", 0, 0,
+        {scenes::turned({{0, 0}, {7, 0}, {7, 3}, {4, 3}, {4, 15}, {7, 15}, {7, 18}, {0, 18}}, 48)});
+    add("clip", 0, 0, {sector({4 + kGap, 6.5}, {-150, 150}, {3 + kGap, 15 - kGap})});
+    const Piece hexagon = disc(9, 9 + 3 * kGap, 15, 6), thread = threadedRod(kGap, 5, screw);
+    for (const double x : {30.0, 60.0}) {
+        const std::string number = x < 50 ? "_1" : "_2";
+        add("nut" + number, x, 0, {nut(kGap, 3, screw)});
+        add("screw" + number, x, 0, {thread, hexagon});
+    }
+    add("washer", 30, 7 + 2 * kGap, {scenes::ring({{6.2, 0}, {9.5, 0}, {9.5, 2}, {6.2, 2}}, 48)});
+    add("hub", 90, 0, {keyedRing(10 + kGap, 12 + kGap, 15, 20)});
+    add("shaft", 90, 0, {keyedShaft(10, 12, 10 - kGap / 10 / kDegree, {kGap, 20 + kGap}), disc(13, 20 + 2 * kGap, 26, 144)});
+    const AssembledProblem lock = bayonet("", 90, 90, 0);
+    for (const auto& [name, mesh] : {std::pair("pot", &lock.environment), std::pair("lid", &lock.part)})
+        add(name, 122, 3, {{mesh->vertices, mesh->triangles}});
+    return pump.mesh();
 }
 
 std::vector<AssembledProblem> tightProblems() {

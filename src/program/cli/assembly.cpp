@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/predicate.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <set>
 #include <tuple>
 
-#include "clearway/obstacle_groups.h"
 #include "clearway/query.h"
 #include "core/number.h"
 #include "core/replace_file.h"
@@ -20,19 +17,16 @@
 #include "problem/config.h"
 #include "program/cli/csv_cells.h"
 #include "program/options/facts.h"
-#include "program/options/load_guard.h"
 #include "program/options/print.h"
+#include "program/render/render.h"
 
 namespace clearway::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kShallow = 1e-4;          ///< of the smaller part's diagonal: what an OverlapMeter resolves
 constexpr double kBelow = 1e-3;            ///< of the smaller part's diagonal, below a surface
 constexpr std::size_t kMostSamples = 200;  ///< of a part's triangles
 constexpr std::size_t kMostPairRows = 40;  ///< of each kind, on screen
-constexpr const char* kMeshEndings[] = {".stl", ".obj", ".ply", ".off", ".gltf", ".glb", ".3mf", ".dae"};
 
 /// A component with what queries need. Solids are made when first asked for.
 class AssembledPart {
@@ -204,12 +198,6 @@ std::string pairTable(const std::vector<PartPair>& pairs) {
     return text;
 }
 
-bool isMeshFile(const fs::path& file) {
-    const std::string ending = file.extension().string();
-    return std::any_of(std::begin(kMeshEndings), std::end(kMeshEndings),
-                       [&](const char* known) { return boost::iequals(ending, known); });
-}
-
 }  // namespace
 
 std::vector<PartPair> pairsOf(const Mesh& assembly, double near) {
@@ -236,23 +224,26 @@ std::vector<PartPair> pairsOf(const Mesh& assembly, double near) {
     return pairs;
 }
 
-std::vector<std::string> meshFilesOf(const std::string& folder) {
-    std::vector<std::string> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (entry.is_regular_file() && isMeshFile(entry.path())) files.push_back(entry.path().string());
+void drawPairs(const Mesh& assembly, const std::vector<PartPair>& pairs, const std::string& file) {
+    render::RenderOptions drawing;
+    drawing.marksContacts = true;
+    std::set<std::string> meeting;
+    for (const PartPair& pair : pairs) {
+        if (pair.kind == PartPair::Kind::kGap) break;
+        drawing.marks.push_back(pair.at);
+        if (pair.kind == pairs[0].kind) meeting.insert({pair.a, pair.b});
     }
-    std::sort(files.begin(), files.end());
-    if (files.empty())
-        throw std::invalid_argument(
-            "the folder '" + folder + "' holds no mesh file, expected at least one of " +
-            joined(std::vector<std::string>(std::begin(kMeshEndings), std::end(kMeshEndings))));
-    return files;
-}
-
-Mesh loadAssembly(const std::string& folder) {
-    std::vector<Mesh> meshes;
-    for (const std::string& file : meshFilesOf(folder)) meshes.push_back(guardedLoadMesh(file, {}));
-    return joinedEnvironment(meshes);
+    std::vector<std::size_t> chosen, rest;
+    const std::vector<Component> components = componentsOf(assembly);
+    for (std::size_t i = 0; i < components.size(); ++i)
+        (meeting.count(components[i].name) > 0 ? chosen : rest).push_back(i);
+    if (chosen.empty()) std::swap(chosen, rest);  // nothing meets: all parts are drawn alike
+    const bool isFree = meeting.empty();
+    const render::PosedPart pose{{}, 0, false, !isFree};
+    const render::Image picture = render::render(meshOfComponents(assembly, chosen),
+                                                 meshOfComponents(assembly, rest), {pose}, {}, drawing);
+    render::writePng(picture, file);
+    tell({{"picture", fmt::format("{}, {} x {}", file, picture.width, picture.height), "picture", file}});
 }
 
 void tellPairs(const std::vector<PartPair>& pairs, double near, const std::string& csvFile) {

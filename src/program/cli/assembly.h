@@ -31,11 +31,9 @@ struct PartPair {
 /// volume, as those of two copies do. A closed part that holds a piece of another one counts as an overlap; an open part holds nothing.
 std::vector<PartPair> pairsOf(const Mesh& assembly, double near);
 
-/// The mesh files of a folder, by name. Throws std::invalid_argument when it holds none.
-std::vector<std::string> meshFilesOf(const std::string& folder);
-
-/// Reads all mesh files of a folder as one mesh: see joinedEnvironment() and meshFilesOf().
-Mesh loadAssembly(const std::string& folder);
+/// Draws the assembly with a ring around the place of each overlap and each contact, into a .png file. The parts of overlaps, or where there are
+/// none those of contacts, are drawn in the colour of contact.
+void drawPairs(const Mesh& assembly, const std::vector<PartPair>& pairs, const std::string& file);
 
 /// Prints a row for each pair, keeps them among the facts as "pairs", and writes a table where a file is given.
 void tellPairs(const std::vector<PartPair>& pairs, double near, const std::string& csvFile);

@@ -90,7 +90,7 @@ void requireOutside(const std::string& option, const std::string& file, const st
 
 /// Poses at even shares of the path, as single pictures of a film show them: neither start nor goal.
 std::vector<render::PosedPart> evenPoses(const FilmScene& scene, std::size_t count) {
-    auto poses = posesAt(scene.line, report::evenShares(count), scene.clearance, false);
+    auto poses = posesAt(scene.line, evenShares(count), scene.clearance, false);
     for (render::PosedPart& pose : poses) pose.role = render::PoseRole::kBetween;
     return poses;
 }

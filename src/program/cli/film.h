@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "clearway/scene_clearance.h"
+#include "problem/path_line.h"
 #include "program/options/command_line.h"
 #include "program/options/print.h"
 #include "program/options/shared_options.h"
 #include "program/render/render.h"
-#include "program/report/path_line.h"
 
 namespace clearway::cli {
 
@@ -36,7 +36,7 @@ void addFilm(CommandLine& line, FilmChoice& film, const std::function<bool()>& h
 struct FilmScene {
     const Mesh& part;
     const Mesh& environment;
-    const report::PathLine& line;
+    const PathLine& line;
     const SceneClearance& clearance;
     const std::vector<render::PosedPart>& way;
     ElapsedLine& elapsed;  ///< tells which picture is taken

@@ -225,15 +225,18 @@ void describeLift(const std::string& file) {
 constexpr double kWidestGap = 1e-3;  ///< of an assembly's diagonal: wider gaps are not shown
 
 /// Tells which parts of an assembly touch each other, reach into each other, or are near.
-void describePairs(const Mesh& assembly, const std::optional<double>& near, const std::string& csv) {
+void describePairs(const Mesh& assembly, const std::optional<double>& near, const std::string& csv,
+                   const std::string& picture) {
     const double widest = near.value_or(kWidestGap * boundingBox(assembly).diagonal().norm());
     std::cout << "\nPairs of parts\n";
     if (componentsOf(assembly).size() < 2) printRow("parts", "one alone: there is nothing to compare");
-    tellPairs(pairsOf(assembly, widest), widest, csv);
+    const std::vector<PartPair> pairs = pairsOf(assembly, widest);
+    tellPairs(pairs, widest, csv);
+    if (!picture.empty()) drawPairs(assembly, pairs, picture);
 }
 
 int info(const Arguments& arguments) {
-    std::string file, csv;
+    std::string file, csv, picture;
     std::optional<double> scale, near;
     BuildOptions tree;
     bool isLift = false, arePairs = false;
@@ -248,6 +251,8 @@ int info(const Arguments& arguments) {
     line.option("--near D", "widest gap of a pair (a thousandth of the assembly's diagonal)",
                 nonNegative(near));
     line.option("--csv FILE", "writes the pairs as a table", to(csv));
+    line.option("--picture FILE", "draws the assembly, .png, with a ring around each contact and overlap",
+                to(picture));
     line.option("--scale F", "factor for the coordinates of a mesh file (1)", positive(scale));
     line.flag(
         "--lift",
@@ -259,11 +264,13 @@ int info(const Arguments& arguments) {
     if (!line.parse(arguments)) return kDone;
     OutputFiles files({file});
     files.add("--csv", csv, {".csv"});
+    files.add("--picture", picture, {".png"});
     requireFactsFile(files);
     const bool isFolder = std::filesystem::is_directory(file);
-    arePairs = arePairs || isFolder || near || !csv.empty();
+    arePairs = arePairs || isFolder || near || !csv.empty() || !picture.empty();
     if (arePairs && boost::iends_with(file, ".cfg") && !isFolder)
-        throw std::invalid_argument("--pairs, --near and --csv are about assemblies, and '" + file +
+        throw std::invalid_argument("--pairs, --near, --csv and --picture are about assemblies, and '" +
+                                    file +
                                     "' is a problem, expected a mesh of several components or a folder");
 
     if (isFolder) {
@@ -271,14 +278,14 @@ int info(const Arguments& arguments) {
             throw std::invalid_argument("--scale is given with the folder '" + file + "', expected a mesh");
         if (isLift)
             throw std::invalid_argument("--lift is given with the folder '" + file + "', expected a problem");
-        const Mesh assembly = loadAssembly(file);
+        const Mesh assembly = loadAssembly(file, guardedLoadMesh);
         printWarnings(assembly.origin.warnings);
         tell({{"assembly",
                fmt::format("{}, {}, {}", file, counted(assembly.components.size(), "part"),
                            counted(assembly.triangles.size(), "triangle")),
                "assembly",
                {{"folder", file}, {"components", toJson(assembly.components)}}}});
-        describePairs(assembly, near, csv);
+        describePairs(assembly, near, csv, picture);
     } else if (!boost::iends_with(file, ".cfg")) {
         if (isLift)
             throw std::invalid_argument("--lift is given with the mesh '" + file + "', expected a problem");
@@ -286,7 +293,7 @@ int info(const Arguments& arguments) {
         load.scale = scale.value_or(1);
         const Mesh mesh = guardedLoadMesh(file, load);
         describeMesh("mesh", mesh, "as stored", Model::build(mesh, tree));
-        if (arePairs) describePairs(mesh, near, csv);
+        if (arePairs) describePairs(mesh, near, csv, picture);
     } else if (scale) {
         throw std::invalid_argument(
             "--scale is '" + readable(*scale) +

@@ -20,7 +20,6 @@
 #include "problem/config.h"
 #include "problem/obstacle_rules.h"
 #include "problem/start_remedies.h"
-#include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/lift.h"
 #include "program/cli/overlaps.h"
@@ -46,11 +45,10 @@ struct InitArguments {
     std::vector<std::string> partNames;  ///< of --part; the first file is then an assembly
 };
 
-/// Makes the file that holds the parts named, which must be in one file, the part's; all files are the environment's, but for one that
-/// moves as a whole. Keeps the names where others in that file stand still.
+/// Makes the first file with a part named the part's, and all files the environment's, but for one that moves alone and as a whole. Keeps the
+/// names unless it does so.
 void takePartsOut(InitArguments& given) {
-    std::vector<std::string> files = {given.part};
-    if (fs::is_directory(given.part)) files = meshFilesOf(given.part);
+    std::vector<std::string> files = assemblyFiles(given.part);
     files.insert(files.end(), given.environment.begin(), given.environment.end());
     std::vector<Mesh> meshes;
     for (const std::string& file : files) meshes.push_back(guardedLoadMesh(file, {}));
@@ -62,24 +60,19 @@ void takePartsOut(InitArguments& given) {
             movingFiles.insert(names.components()[component].file);
         }
     }
-    if (movingFiles.size() > 1)
-        throw std::invalid_argument("the parts of --part are in " + std::to_string(movingFiles.size()) +
-                                    " files, expected all in one: only parts of one file move together");
+    if (moving.size() == names.components().size())
+        throw std::invalid_argument("--part names all parts of '" + given.part +
+                                    "', expected one that stands still");
     const std::size_t file = *movingFiles.begin();
     given.part = files[file];
     given.environment = files;
-    given.partNames.clear();
-    for (const std::size_t component : moving) given.partNames.push_back(names.components()[component].bare);
-    namesOf("--part", given.partNames);  // refused before anything is said
     const auto isInFile = [&](const ObstacleNames::Component& component) { return component.file == file; };
     const auto all = std::count_if(names.components().begin(), names.components().end(), isInFile);
-    if (moving.size() == static_cast<std::size_t>(all)) {
+    if (movingFiles.size() == 1 && moving.size() == static_cast<std::size_t>(all)) {
         given.partNames.clear();
         given.environment.erase(given.environment.begin() + static_cast<std::ptrdiff_t>(file));
     }
-    if (given.environment.empty())
-        throw std::invalid_argument("--part names all parts of '" + given.part +
-                                    "', expected one that stands still");
+    namesOf("--part", given.partNames);  // refused before anything is said
 }
 
 bool readArguments(const Arguments& words, InitArguments& given) {
@@ -94,8 +87,10 @@ bool readArguments(const Arguments& words, InitArguments& given) {
         "others stand still.");
     line.argument("PART", to(given.part));
     line.argument("[ENVIRONMENT...]", appendedTo(given.environment));
-    line.option("--part NAME", "a part of the assembly that moves; several move as one; may be repeated",
-                appendedTo(given.partNames), CommandLine::Count::kRepeatable);
+    line.option(
+        "--part NAME",
+        "a part of the assembly that moves, or several by wildcards; may be repeated; they move as one",
+        appendedTo(given.partNames), CommandLine::Count::kRepeatable);
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
     addJson(line);
     if (!line.parse(words)) return false;
@@ -265,8 +260,7 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
         text.line("unit", seen.unit, "the unit that the files state; shown beside all lengths here");
     }
     if (!given.partNames.empty())
-        text.line("part", namesOf("part", given.partNames),
-                  "what moves of robot; its other parts stand still");
+        text.line("part", namesOf("part", given.partNames), "what moves as one; all other parts stand still");
     text.line("reading", "stored",
               std::string("coordinates as the files hold them") +
                   (seen.isTurned ? ", but for what assimp turns" : ""));

@@ -11,10 +11,10 @@
 #include "clearway/errors.h"
 #include "mesh/components.h"
 #include "model/solids.h"
+#include "problem/path_line.h"
 #include "problem/start_remedies.h"
 #include "program/options/print.h"
 #include "program/report/frames.h"
-#include "program/report/path_line.h"
 
 namespace clearway::cli {
 namespace {
@@ -110,9 +110,9 @@ std::vector<FoundOverlap> overlapsAlong(const Problem& problem, const SceneMeshe
         if (obstacle.overlap() > 0) least = std::min(least, obstacle.overlap());
     }
     if (std::isinf(least)) return {};
-    const report::PathLine line(path, scene.part.radiusAboutOrigin());
+    const PathLine line(path, scene.part.radiusAboutOrigin());
     std::vector<PosedAt> poses;
-    for (const double share : report::evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
+    for (const double share : evenShares(kPoses)) poses.push_back({share, poseOf(line.at(share))});
     return Measuring(meshes.part)
         .all(obstaclesOf(problem, meshes.worlds), true, poses, kShareOfInterest * least);
 }

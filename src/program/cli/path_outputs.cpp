@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "clearway/animation.h"
 #include "clearway/swept_volume.h"
 #include "core/replace_file.h"
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
-#include "program/report/export_motion.h"
 #include "program/report/report.h"
 
 namespace clearway::cli {
@@ -162,7 +162,7 @@ bool writeSwept(const Problem& problem, const Mesh& part, const Model& model,
     }
     const std::optional<double> metres = metresPerUnit(problem);
     if (isGlb(file)) {
-        report::exportStill(swept, metres.value_or(1), file);
+        saveAnimation(swept, {}, metres.value_or(1), file);
     } else {
         saveMesh(swept, file);
     }
@@ -192,8 +192,7 @@ bool PathOutputs::write(const Problem& problem, const SceneMeshes& meshes, const
     if (!report.empty()) writePage(problem, part, environment, scene, path, audit, planner, overlaps, *this);
     if (!motion.empty()) {
         const std::optional<double> metres = metresPerUnit(problem);
-        report::exportMotion(part, environment, path, scene.part.radiusAboutOrigin(), metres.value_or(1),
-                             motion);
+        saveAnimation(environment, {{part, path}}, metres.value_or(1), motion);
         printRow("export", motion + (metres ? ", in metres" : ", lengths as they are: no unit is stated"));
     }
     return swept.empty() ||

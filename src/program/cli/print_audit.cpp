@@ -236,7 +236,7 @@ void printProfile(const PathAudit& audit) {
 void writeProfile(const PathAudit& audit, const Scene& scene, const std::vector<PartState>& path,
                   const std::string& file) {
     const SceneClearance clearance(scene);
-    const report::PathLine line(path, scene.part.radiusAboutOrigin());
+    const PathLine line(path, scene.part.radiusAboutOrigin());
     writeOut(file, [&](std::ostream& stream) {
         stream << "segment,t,travel,clearance,clearance_to_next,x,y,z,qx,qy,qz,qw,part_mesh,part_triangle,"
                   "part_x,"

@@ -117,8 +117,8 @@ void requireOutputs(const RenderArguments& given, const Problem& problem, std::s
 /// Writes the picture of --out and prints a row about each pose and the file. Returns false when interrupted.
 bool writePicture(const RenderArguments& given, const Model& part, const FilmScene& scene) {
     const std::size_t usual = given.path.empty() ? scene.line.states().size() : given.poseCount;
-    auto poses = posesAt(scene.line, given.shares.empty() ? report::evenShares(usual) : given.shares,
-                         scene.clearance, true);
+    auto poses =
+        posesAt(scene.line, given.shares.empty() ? evenShares(usual) : given.shares, scene.clearance, true);
     chooseGhosts(part, poses);
     const render::Image picture =
         render::render(scene.part, scene.environment, poses, scene.way, given.drawing);
@@ -131,7 +131,7 @@ bool writePicture(const RenderArguments& given, const Model& part, const FilmSce
 
 }  // namespace
 
-std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
+std::vector<render::PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
                                        const SceneClearance& clearance, bool isPrinted) {
     std::vector<render::PosedPart> poses;
     for (const double share : shares) {
@@ -188,10 +188,9 @@ int render(const Arguments& arguments) {
     const Scene scene = scenes.scene(problem);
     printWarnings(problem.warnings);
     const SceneClearance clearance(scene);
-    const report::PathLine line(states, scene.part.radiusAboutOrigin());
-    const auto way = hasPath && !isInterrupted()
-                         ? posesAt(line, report::evenShares(kWayPoses), clearance, false)
-                         : std::vector<render::PosedPart>{};
+    const PathLine line(states, scene.part.radiusAboutOrigin());
+    const auto way = hasPath && !isInterrupted() ? posesAt(line, evenShares(kWayPoses), clearance, false)
+                                                 : std::vector<render::PosedPart>{};
     if (!isInterrupted()) {
         const std::vector<FoundOverlap> overlaps = overlapsAlong(problem, scenes.meshes(), scene, states);
         printOverlaps(overlaps);

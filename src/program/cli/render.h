@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "clearway/scene_clearance.h"
+#include "problem/path_line.h"
 #include "program/render/render.h"
-#include "program/report/path_line.h"
 
 namespace clearway::cli {
 
@@ -15,7 +15,7 @@ constexpr std::size_t kWayPoses = 240;  ///< poses of the line drawn along the p
 
 /// Poses the part at these shares of the path. A pose outside the problem's bounds has infinite clearance.
 /// isPrinted: also prints a row for each pose.
-std::vector<render::PosedPart> posesAt(const report::PathLine& line, const std::vector<double>& shares,
+std::vector<render::PosedPart> posesAt(const PathLine& line, const std::vector<double>& shares,
                                        const SceneClearance& clearance, bool isPrinted);
 
 /// Draws the pose of least clearance solid, and each other pose unless it intersects a solid one.

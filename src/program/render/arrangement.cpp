@@ -249,7 +249,7 @@ void Arrangement::drawOver(Image& image, const std::vector<PosedPart>& marked) c
     for (const PosedPart& pose : marked) {
         if (!pose.isInContact) legend.clearances.push_back(pose.clearance);
     }
-    legend.signs = signsOf(cast_.drawn, hasMover_);
+    if (!options_.marksContacts) legend.signs = signsOf(cast_.drawn, hasMover_);
     if (cast_.way.size() > 1) legend.signs.push_back(Sign::kWay);
     const auto isInContact = [](const std::vector<PosedPart>& poses) {
         return std::any_of(poses.begin(), poses.end(),
@@ -257,7 +257,7 @@ void Arrangement::drawOver(Image& image, const std::vector<PosedPart>& marked) c
     };
     if (isInContact(cast_.drawn) || isInContact(cast_.framed) || isInContact(cast_.way))
         legend.signs.push_back(Sign::kContact);
-    if (!rings.empty()) legend.signs.push_back(Sign::kOverlap);
+    if (!rings.empty()) legend.signs.push_back(options_.marksContacts ? Sign::kMeeting : Sign::kOverlap);
     drawLegend(legend, image);
 }
 

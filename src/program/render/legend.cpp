@@ -105,9 +105,14 @@ struct NamedSign {
 };
 
 constexpr NamedSign kSigns[] = {
-    {Sign::kStart, "start"},     {Sign::kGoal, "goal"}, {Sign::kBetween, "in between"},
-    {Sign::kMoving, "moving"},   {Sign::kWay, "way"},   {Sign::kContact, "in contact"},
+    {Sign::kStart, "start"},
+    {Sign::kGoal, "goal"},
+    {Sign::kBetween, "in between"},
+    {Sign::kMoving, "moving"},
+    {Sign::kWay, "way"},
+    {Sign::kContact, "in contact"},
     {Sign::kOverlap, "overlap"},
+    {Sign::kMeeting, "contact or overlap"},
 };
 
 /// Draws on the right part of the picture, from `left` on, in one colour.
@@ -171,6 +176,7 @@ void drawSign(Sign sign, const Area& area, Image& image) {
         case Sign::kContact:
             return drawContact(thin, area, image);
         case Sign::kOverlap:
+        case Sign::kMeeting:
             return drawIn(markColour(), area, image, [&](InkMask& ink) {
                 const double radius = 0.42 * (area.bottom - area.top);
                 ink.drawCircle(0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom), radius, thick);

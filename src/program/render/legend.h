@@ -12,7 +12,7 @@
 namespace clearway::render {
 
 /// The things beside the environment that a picture may show.
-enum class Sign { kStart, kGoal, kBetween, kMoving, kWay, kContact, kOverlap };
+enum class Sign { kStart, kGoal, kBetween, kMoving, kWay, kContact, kOverlap, kMeeting };
 
 /// The words of a sign in the legend.
 std::string wordsOf(Sign sign);

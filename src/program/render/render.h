@@ -45,6 +45,7 @@ struct RenderOptions {
     bool hasAxes = false;  ///< the directions of x, y and z are drawn in a corner
     /// Places in environment coordinates around which rings are drawn, over all that hides them.
     std::vector<Vector3> marks;
+    bool marksContacts = false;  ///< whether the marks are contacts, too, not only overlaps
 
     /// Asked often, by any thread. Once true, the picture is given up.
     std::function<bool()> isStopped = [] { return false; };

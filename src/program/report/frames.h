@@ -6,7 +6,7 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/scene_clearance.h"
-#include "program/report/path_line.h"
+#include "problem/path_line.h"
 
 namespace clearway::report {
 

@@ -272,8 +272,15 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
 
     requireRefused(folder, "init all.glb --out q.cfg", {"no ENVIRONMENT", "--part"});
     requireRefused(folder, "init all.glb --part lid --out q.cfg", {"'lid'", "block"});
-    requireRefused(folder, "init parts --part block --part plate --out q.cfg", {"in 2 files"});
     requireRefused(folder, "init parts/block.stl --part block --out q.cfg", {"names all parts"});
+    requireRefused(folder, "init parts --part '*' --out q.cfg", {"names all parts"});
+
+    factsOf(folder, "init parts --part 'pl*' --part block --out of_files.cfg");
+    const Problem ofFiles = readProblem(folder.file("of_files.cfg"));
+    BOOST_TEST(loadPart(ofFiles).components.size() == 2u);
+    BOOST_TEST(loadPart(ofFiles).triangles.size() == 24u);
+    BOOST_TEST(obstacleNames(ofFiles) == std::set<std::string>({"floor"}), boost::test_tools::per_element());
+    BOOST_TEST(loadWorlds(ofFiles).size() == 1u);
 }
 
 /// A problem in memory that names parts but not their file among the environment's would lose the other parts without a word.

@@ -12,7 +12,7 @@ using namespace render;
 namespace {
 
 constexpr Sign kAllSigns[] = {Sign::kStart, Sign::kGoal,    Sign::kBetween, Sign::kMoving,
-                              Sign::kWay,   Sign::kContact, Sign::kOverlap};
+                              Sign::kWay,   Sign::kContact, Sign::kOverlap, Sign::kMeeting};
 
 Image drawn(const Legend& legend) {
     Image image(640, 360, Colour::Ones());

@@ -1,4 +1,4 @@
-#include "program/report/export_motion.h"
+#include "clearway/animation.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -9,16 +9,14 @@
 #include <cstring>
 #include <sstream>
 
-#include "program/report/path_line.h"
+#include "problem/path_line.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
 #include "support/words.h"
 
 namespace clearway::testing {
 
-BOOST_AUTO_TEST_SUITE(export_motion_test)
-
-using namespace report;
+BOOST_AUTO_TEST_SUITE(animation_test)
 
 namespace {
 
@@ -86,7 +84,7 @@ struct Exported {
     WindowScene window = windowScene();
     std::vector<PartState> path = turningPath();
     std::string file = folder.file("motion.glb");
-    Exported() { exportMotion(window.partMesh, window.wallMesh, path, 30, 1, file); }
+    Exported() { saveAnimation(window.wallMesh, {{window.partMesh, path}}, 1, file); }
 };
 
 }  // namespace
@@ -106,9 +104,9 @@ BOOST_AUTO_TEST_CASE(the_animation_goes_through_the_states_at_an_even_pace) {
     BOOST_TEST_REQUIRE(times.size() == 3u);  // the state that stands twice has one time
     BOOST_TEST_REQUIRE(positions.size() == 3u);
     BOOST_TEST_REQUIRE(rotations.size() == 3u);
-    const PathLine line(exported.path, 30);
+    const PathLine line(exported.path, Model::build(exported.window.partMesh).radiusAboutOrigin());
     for (std::size_t i = 0; i < 3; ++i) {
-        const PartState state = line.at(times[i][0] / kMotionSeconds);
+        const PartState state = line.at(times[i][0] / 12);
         const Eigen::Quaterniond q(rotations[i][3], rotations[i][0], rotations[i][1], rotations[i][2]);
         BOOST_TEST(q.angularDistance(Eigen::Quaterniond(state.rotation)) < 1e-4);
         BOOST_TEST((Vector3(positions[i][0], positions[i][1], positions[i][2]) - state.position).norm() <
@@ -120,7 +118,7 @@ BOOST_AUTO_TEST_CASE(the_animation_goes_through_the_states_at_an_even_pace) {
         BOOST_TEST(dot > 0);  // a viewer that ignores the sign would go the longer way
     }
     BOOST_TEST(times[0][0] == 0);
-    BOOST_TEST(times[2][0] == static_cast<float>(kMotionSeconds));
+    BOOST_TEST(times[2][0] == static_cast<float>(12));
     const Json& bounds = at(glb.json.get_child("accessors"), accessor(0, "input"));
     BOOST_TEST(at(bounds.get_child("max"), 0).get_value<float>() == times[2][0]);
     BOOST_TEST(at(bounds.get_child("min"), 0).get_value<float>() == 0);
@@ -184,7 +182,8 @@ BOOST_AUTO_TEST_CASE(another_reader_finds_the_scene_upright_and_the_part_moving)
 
 BOOST_AUTO_TEST_CASE(with_a_known_unit_the_scene_is_in_metres) {
     const Exported exported;
-    exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path, 30, 0.001, exported.file);
+    saveAnimation(exported.window.wallMesh, {{exported.window.partMesh, exported.path}}, 0.001,
+                  exported.file);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(exported.file, aiProcess_ValidateDataStructure);
     BOOST_TEST_REQUIRE(scene != nullptr, importer.GetErrorString());
@@ -197,8 +196,8 @@ BOOST_AUTO_TEST_CASE(with_a_known_unit_the_scene_is_in_metres) {
 
 BOOST_AUTO_TEST_CASE(a_single_state_is_a_motion_that_rests) {
     Exported exported;
-    exportMotion(exported.window.partMesh, exported.window.wallMesh, {exported.path[1]}, 30, 1,
-                 exported.file);
+    saveAnimation(exported.window.wallMesh, {{exported.window.partMesh, {exported.path[1]}}}, 1,
+                  exported.file);
     const Glb glb(readText(exported.file));
     BOOST_TEST(
         glb.rows<float>(
@@ -207,13 +206,56 @@ BOOST_AUTO_TEST_CASE(a_single_state_is_a_motion_that_rests) {
             .size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(parts_move_one_after_the_other_and_disappear) {
+    Exported exported;
+    MovingPart first{exported.window.partMesh, exported.path, 1, 3, true, "first"}, second = first;
+    second.name = "second";
+    second.begin = 3;
+    second.end = 4;
+    second.disappearsAtEnd = false;
+    saveAnimation({}, {first, second}, 1, exported.file);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(exported.file, aiProcess_ValidateDataStructure);
+    BOOST_TEST_REQUIRE(scene != nullptr, importer.GetErrorString());
+    BOOST_TEST_REQUIRE(scene->mNumAnimations == 1u);
+    BOOST_TEST_REQUIRE(scene->mAnimations[0]->mNumChannels == 2u);
+    const aiNodeAnim &a = *scene->mAnimations[0]->mChannels[0], &b = *scene->mAnimations[0]->mChannels[1];
+    BOOST_TEST(a.mNodeName.C_Str() == std::string("first"));
+    BOOST_TEST(b.mNodeName.C_Str() == std::string("second"));
+    const auto seconds = [](const aiVectorKey& key) {
+        return key.mTime / 1000;
+    };  // assimp's are milliseconds
+    BOOST_TEST(seconds(a.mPositionKeys[0]) == 1);
+    BOOST_TEST(seconds(a.mPositionKeys[a.mNumPositionKeys - 1]) == 3);
+    BOOST_TEST(seconds(b.mPositionKeys[0]) == 3);
+    BOOST_TEST(seconds(b.mPositionKeys[b.mNumPositionKeys - 1]) == 4);
+    BOOST_TEST_REQUIRE(a.mNumScalingKeys == 2u);
+    BOOST_TEST(seconds(a.mScalingKeys[1]) == 3);
+    BOOST_TEST((a.mScalingKeys[1].mValue == aiVector3D(0, 0, 0)));
+    BOOST_TEST(scene->mNumMaterials >= 2u);
+}
+
+BOOST_AUTO_TEST_CASE(times_and_scenes_that_mean_nothing_are_refused) {
+    const Exported exported;
+    const auto refused = [&](const MovingPart& part, std::vector<std::string> words) {
+        requireRefusedBy([&] { saveAnimation({}, {part}, 1, exported.file); }, words);
+    };
+    refused({exported.window.partMesh, {}}, {"no state"});
+    refused({exported.window.partMesh, exported.path, 2, 2}, {"from 2 to 2 s", "begin < end"});
+    refused({exported.window.partMesh, exported.path, -1, 2}, {"from -1"});
+    refused({Mesh(), exported.path}, {"no triangle"});
+    requireRefusedBy([&] { saveAnimation({}, {}, 1, exported.file); }, {"no triangle"});
+    requireRefusedBy([&] { saveAnimation(exported.window.wallMesh, {}, 0, exported.file); },
+                     {"metresPerUnit is 0"});
+}
+
 BOOST_AUTO_TEST_CASE(other_endings_are_refused) {
     const Exported exported;
     for (const char* name : {"motion.gltf", "motion", "motion.fbx"}) {
         const std::string file = exported.folder.file(name);
         requireRefusedBy(
             [&] {
-                exportMotion(exported.window.partMesh, exported.window.wallMesh, exported.path, 30, 1, file);
+                saveAnimation(exported.window.wallMesh, {{exported.window.partMesh, exported.path}}, 1, file);
             },
             {file, "expected .glb"});
     }

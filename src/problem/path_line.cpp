@@ -1,13 +1,14 @@
-#include "program/report/path_line.h"
+#include "problem/path_line.h"
 
 #include <algorithm>
-#include <stdexcept>
 
-namespace clearway::report {
+#include "clearway/errors.h"
+
+namespace clearway {
 
 PathLine::PathLine(std::vector<PartState> states, double turnRadius)
     : states_(std::move(states)), shares_(states_.size(), 0.0) {
-    if (states_.empty()) throw std::invalid_argument("the path has no state, expected at least 1");
+    if (states_.empty()) throw ArgumentError("the path has no state, expected at least 1");
     for (std::size_t i = 1; i < states_.size(); ++i) {
         const PartState &a = states_[i - 1], &b = states_[i];
         shares_[i] = shares_[i - 1] + (b.position - a.position).norm() +
@@ -35,4 +36,4 @@ std::vector<double> evenShares(std::size_t count) {
     return shares;
 }
 
-}  // namespace clearway::report
+}  // namespace clearway

@@ -5,13 +5,13 @@
 
 #include "clearway/problem.h"
 
-namespace clearway::report {
+namespace clearway {
 
 /// Between two states the part moves as in OMPL: along a straight line, turning evenly the shorter way.
 class PathLine {
   public:
     /// turnRadius: the length that a turn by one radian counts as, in environment units; the part's radius
-    /// gives a visually even pace. Throws std::invalid_argument when there is no state.
+    /// gives a visually even pace. Throws ArgumentError when there is no state.
     PathLine(std::vector<PartState> states, double turnRadius);
 
     /// The state at a share of the way from the first state (0) to the last (1); the share is clamped.
@@ -29,4 +29,4 @@ class PathLine {
 /// `count` evenly spaced shares from 0 to 1; for a count of 1 only 0.
 std::vector<double> evenShares(std::size_t count);
 
-}  // namespace clearway::report
+}  // namespace clearway

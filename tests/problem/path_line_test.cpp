@@ -1,4 +1,4 @@
-#include "program/report/path_line.h"
+#include "problem/path_line.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -6,8 +6,6 @@
 namespace clearway::testing {
 
 BOOST_AUTO_TEST_SUITE(path_line_test)
-
-using namespace report;
 
 namespace {
 
