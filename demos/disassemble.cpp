@@ -18,9 +18,9 @@
 
 namespace cp = clearway::planning;
 
-constexpr double kFirstSeconds = 1;  // for each part; most come out at once
-constexpr double kLonger = 5;        // by which the time grows when no part comes out
-constexpr double kOverlap = 1.34;    // of the depth of a contact; frees a flat one
+constexpr double kFirstSeconds = 0.5;  // for each part; most come out at once
+constexpr double kLonger = 6;          // by which the time grows when no part comes out
+constexpr double kOverlap = 1.34;      // of the depth of a contact; frees a flat one
 constexpr double kSlack =
     0.005;  // of the part's diagonal, added to the overlap, so that the part can begin to move
 constexpr double kShownSeconds = 3;  // that a part moves in the animation

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clearway/mesh.h"
+#include "clearway/model.h"
 #include "clearway/types.h"
 
 #pragma GCC visibility push(default)
@@ -25,6 +26,9 @@ class OverlapMeter {
     /// Depths are measured as shrink() means them: to the nearest triangle of any component. Throws ArgumentError as shrink()
     /// does for a part that is not closed.
     explicit OverlapMeter(const Mesh& part);
+
+    /// Takes the model of the part, which the caller has built already.
+    OverlapMeter(const Mesh& part, const Model& model);
 
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at
     /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is

@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "mesh/components.h"
+#include "model/box_tree.h"
 #include "model/solids.h"
 #include "shrink/nearest_triangle.h"
 
@@ -14,31 +15,56 @@ namespace {
 constexpr double kShare = 0.01;       ///< how much of the depth may stay open
 constexpr double kLeastDepth = 1e-4;  ///< of the part's diagonal: how much may stay open in any case
 
-/// A piece of a triangle, in the part's frame.
-struct TrianglePiece {
+constexpr std::size_t kFewTriangles = 2;  ///< of a group that is looked at triangle by triangle
+
+/// A piece of a triangle in the part's frame, or a group of triangles.
+struct OpenPiece {
     Corners3 corners;
     std::uint32_t triangle;
-    double most;  ///< no point of it lies deeper
+    double most;                             ///< no point of it lies deeper
+    std::uint32_t first = 0, groupSize = 0;  ///< a group: its place in the order of triangles; 0 for a piece
 
-    bool operator<(const TrianglePiece& other) const { return most < other.most; }
+    bool operator<(const OpenPiece& other) const { return most < other.most; }
 };
 
-/// The fastest tree of few triangles: one leaf.
-Model smallModel(const Mesh& mesh) {
-    BuildOptions options;
-    options.generalSplit = "mean";
-    options.fit = "covariance";
-    options.leafSplit = "none";
-    options.leafSize = kLargestLeafSize;
-    options.threads = 1;
-    return Model::build(mesh, options);
+/// Whether a plane across the axis has one triangle on each side, by more than rounding. axis: of any length.
+bool isBetween(const Vector3& axis, const Corners3& a, const Corners3& b) {
+    constexpr double kRounding = 1e-14;  ///< of the largest product; three products are added
+    double leastA = axis.dot(a[0]), mostA = leastA, leastB = axis.dot(b[0]), mostB = leastB, largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        leastA = std::min(leastA, axis.dot(a[k]));
+        mostA = std::max(mostA, axis.dot(a[k]));
+        leastB = std::min(leastB, axis.dot(b[k]));
+        mostB = std::max(mostB, axis.dot(b[k]));
+        largest = std::max({largest, a[k].cwiseAbs().maxCoeff(), b[k].cwiseAbs().maxCoeff()});
+    }
+    return std::max(leastA - mostB, leastB - mostA) > kRounding * largest * axis.cwiseAbs().sum();
+}
+
+/// Whether a plane is between two triangles. Two convex bodies that are apart have one along a face of one, or along an edge of each.
+bool areSurelyApart(const Corners3& a, const Corners3& b) {
+    const auto edge = [](const Corners3& corners, int k) -> Vector3 {
+        return corners[(k + 1) % 3] - corners[k];
+    };
+    const Vector3 acrossA = edge(a, 0).cross(edge(a, 1)), acrossB = edge(b, 0).cross(edge(b, 1));
+    if (isBetween(acrossA, a, b) || isBetween(acrossB, a, b)) return true;
+    for (int i = 0; i < 3; ++i) {
+        // Edges within the plane of their triangle part triangles of one plane.
+        if (isBetween(edge(a, i).cross(acrossA), a, b) || isBetween(edge(b, i).cross(acrossB), a, b))
+            return true;
+        for (int k = 0; k < 3; ++k) {
+            if (isBetween(edge(a, i).cross(edge(b, k)), a, b)) return true;
+        }
+    }
+    return false;
 }
 
 class DeepestSearch {
   public:
-    DeepestSearch(const Mesh& part, const Model& surface, const std::vector<Solid>& solids,
-                  const Pose& X_partEnvironment, double leastDepth)
+    DeepestSearch(const Mesh& part, const Model& surface, const BoxTree& boxes,
+                  const std::vector<Solid>& solids, const Pose& X_partEnvironment, double leastDepth)
         : part_(part),
+          boxes_(boxes),
           solids_(solids),
           nearest_(surface),
           X_partEnvironment_(X_partEnvironment),
@@ -51,18 +77,22 @@ class DeepestSearch {
             corners[k] = X_partEnvironment_ * obstacle[k];
             box.extend(corners[k]);
         }
-        if (box.intersects(nearest_.model().box())) lookAt(corners, triangle);
+        if (box.intersects(nearest_.model().box())) added_.push_back({corners, triangle, box});
     }
 
     DeepestPoint find(const Pose& X_environmentPart) {
+        lookAtGroup(0, added_.size());
         while (!open_.empty()) {
-            const TrianglePiece piece = open_.top();
+            const OpenPiece piece = open_.top();
             if (piece.most <= enough()) {
                 mostLeft_ = std::max(mostLeft_, piece.most);
                 break;
             }
             open_.pop();
-            halve(piece);
+            if (piece.groupSize > 0)
+                divideGroup(piece.first, piece.groupSize);
+            else
+                halve(piece);
         }
         best_.upper = std::max(best_.lower, mostLeft_);
         if (best_.obstacleTriangle < 0) return best_;
@@ -71,7 +101,45 @@ class DeepestSearch {
     }
 
   private:
+    /// A triangle of the obstacle, in the part's frame.
+    struct Added {
+        Corners3 corners;
+        std::uint32_t triangle;
+        Box box;
+    };
+
     double enough() const { return std::max((1 + kShare) * best_.lower, best_.lower + leastDepth_); }
+
+    /// Bounds a group by the depth of the middle of its box, so that triangles far from the part's surface are not looked at one by one.
+    void lookAtGroup(std::size_t first, std::size_t count) {
+        if (count <= kFewTriangles) {
+            for (std::size_t i = first; i < first + count; ++i) lookAt(added_[i].corners, added_[i].triangle);
+            return;
+        }
+        Box box;
+        for (std::size_t i = first; i < first + count; ++i) box.extend(added_[i].box);
+        const Vector3 middle = box.center();
+        const double distance = nearest_.of(middle).distance, radius = 0.5 * box.diagonal().norm();
+        if (distance >= radius && !isInside(middle)) return;
+        const double most = distance + radius;
+        if (most <= best_.lower) return;
+        open_.push({{}, 0, most, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
+    }
+
+    /// Halves a group along the longest side of the box around the middles of its triangles.
+    void divideGroup(std::size_t first, std::size_t count) {
+        Box middles;
+        for (std::size_t i = first; i < first + count; ++i) middles.extend(added_[i].box.center());
+        Eigen::Index axis = 0;
+        middles.sizes().maxCoeff(&axis);
+        const auto begin = added_.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto half = static_cast<std::ptrdiff_t>(count / 2);
+        std::nth_element(
+            begin, begin + half, begin + static_cast<std::ptrdiff_t>(count),
+            [axis](const Added& a, const Added& b) { return a.box.center()[axis] < b.box.center()[axis]; });
+        lookAtGroup(first, count / 2);
+        lookAtGroup(first + count / 2, count - count / 2);
+    }
 
     void lookAt(const Corners3& corners, std::uint32_t triangle) {
         const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
@@ -117,8 +185,7 @@ class DeepestSearch {
 
     /// No point of the piece lies deeper than this: the distance to one triangle of the surface is convex.
     double furthestFrom(std::uint32_t triangle, const Corners3& corners) const {
-        const auto& [a, b, c] = part_.triangles[triangle];
-        const Corners3 face = {part_.vertices[a], part_.vertices[b], part_.vertices[c]};
+        const Corners3 face = cornersOf(triangle);
         double most = 0;
         for (const Vector3& corner : corners) most = std::max(most, distanceToTriangle(corner, face));
         return most;
@@ -130,15 +197,24 @@ class DeepestSearch {
         });
     }
 
-    /// Whether the piece has no point of the part's surface; if its middle is outside, then so is all of it.
-    bool isApart(const Corners3& corners) {
-        Mesh piece;
-        piece.vertices.assign(corners.begin(), corners.end());
-        piece.triangles = {{0, 1, 2}};
-        return !collides(smallModel(piece), nearest_.model(), {}, workspace_);
+    /// Whether the piece has no point of the part's surface; if its middle is outside, then so is all of it. False, too, where rounding
+    /// leaves it open.
+    bool isApart(const Corners3& corners) const {
+        Box box;
+        for (const Vector3& corner : corners) box.extend(corner);
+        bool isApart = true;
+        boxes_.eachMeeting(box, [&](std::uint32_t triangle) {
+            isApart = isApart && areSurelyApart(corners, cornersOf(triangle));
+        });
+        return isApart;
     }
 
-    void halve(const TrianglePiece& piece) {
+    Corners3 cornersOf(std::uint32_t triangle) const {
+        const auto& [a, b, c] = part_.triangles[triangle];
+        return {part_.vertices[a], part_.vertices[b], part_.vertices[c]};
+    }
+
+    void halve(const OpenPiece& piece) {
         const Corners3& c = piece.corners;
         int longest = 0;
         double most = -1;
@@ -155,14 +231,15 @@ class DeepestSearch {
     }
 
     const Mesh& part_;
+    const BoxTree& boxes_;  ///< of the part's triangles
     const std::vector<Solid>& solids_;
     NearestTriangle nearest_;
     const Pose& X_partEnvironment_;
     const double leastDepth_;
-    std::priority_queue<TrianglePiece> open_;
+    std::vector<Added> added_;
+    std::priority_queue<OpenPiece> open_;
     DeepestPoint best_;
     double mostLeft_ = 0;  ///< no piece that was left open lies deeper
-    Workspace workspace_;
 };
 
 }  // namespace
@@ -170,11 +247,19 @@ class DeepestSearch {
 struct OverlapMeter::Surface {
     Mesh mesh;
     Model model;
+    BoxTree boxes;              ///< of the triangles
     std::vector<Solid> solids;  ///< of the components
 };
 
-OverlapMeter::OverlapMeter(const Mesh& part) {
-    auto surface = std::make_shared<Surface>(Surface{part, Model::build(part), {}});
+OverlapMeter::OverlapMeter(const Mesh& part) : OverlapMeter(part, Model::build(part)) {}
+
+OverlapMeter::OverlapMeter(const Mesh& part, const Model& model) {
+    std::vector<Box> boxes;
+    for (const auto& [a, b, c] : part.triangles) {
+        boxes.emplace_back(part.vertices[a]);
+        boxes.back().extend(part.vertices[b]).extend(part.vertices[c]);
+    }
+    auto surface = std::make_shared<Surface>(Surface{part, model, BoxTree(boxes), {}});
     const std::vector<Component> components = componentsOf(part);
     for (std::size_t i = 0; i < components.size(); ++i) {
         if (components[i].triangleCount == 0) continue;
@@ -188,7 +273,8 @@ DeepestPoint OverlapMeter::deepest(const Mesh& obstacle, const Pose& X_environme
                                    double leastDepth) const {
     requirePose(X_environmentPart);
     const Pose X_partEnvironment = inverse(X_environmentPart);
-    DeepestSearch search(surface_->mesh, surface_->model, surface_->solids, X_partEnvironment, leastDepth);
+    DeepestSearch search(surface_->mesh, surface_->model, surface_->boxes, surface_->solids,
+                         X_partEnvironment, leastDepth);
     for (std::uint32_t t = 0; t < obstacle.triangles.size(); ++t) {
         const auto& [a, b, c] = obstacle.triangles[t];
         search.add({obstacle.vertices[a], obstacle.vertices[b], obstacle.vertices[c]}, t);

@@ -66,6 +66,23 @@ BOOST_AUTO_TEST_CASE(without_rules_the_environment_is_one_group_as_it_is) {
     BOOST_TEST(groups.ignoredBox.isEmpty());
 }
 
+BOOST_AUTO_TEST_CASE(wildcards_stand_for_all_names_that_match_but_not_for_a_component_of_that_very_name) {
+    const std::vector<Mesh> files = {file("car.glb", {"door_1", "door_2", "seat", "a*"}),
+                                     file("lot.obj", {"door_3", "ab"})};
+    const auto named = [&](const std::string& name) {
+        ObstacleRules rules;
+        rules.ignored = {name};
+        return groupObstacles(files, 1, rules).ignored;
+    };
+    BOOST_TEST(named("door*") == (Names{"car/door_1", "car/door_2", "lot/door_3"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(named("car/*_?") == (Names{"car/door_1", "car/door_2"}), boost::test_tools::per_element());
+    BOOST_TEST(named("car/a*") == Names{"car/a*"}, boost::test_tools::per_element());
+    ObstacleRules rules;
+    rules.ignored = {"roof*"};
+    BOOST_TEST(refusal(files, rules).find("ignore names 'roof*', which is no obstacle") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(components_that_are_apart_have_groups_of_their_own_and_count_as_before) {
     const Mesh mesh = file("car.glb", {"door", "roof", "floor/steel", "seat"});
     ObstacleRules rules;

@@ -23,7 +23,7 @@
 namespace clearway::cli {
 namespace {
 
-constexpr double kShallow = 1e-4;          ///< of the smaller part's diagonal: what an OverlapMeter resolves
+constexpr double kShallow = 5e-4;          ///< of the smaller part's diagonal: a contact at most so deep
 constexpr double kBelow = 1e-3;            ///< of the smaller part's diagonal, below a surface
 constexpr std::size_t kMostSamples = 200;  ///< of a part's triangles
 constexpr std::size_t kMostPairRows = 40;  ///< of each kind, on screen
@@ -46,8 +46,12 @@ class AssembledPart {
     bool holds(AssembledPart& other) {
         return isClosed() && solids().holding({}, other.solids(), {}).has_value();
     }
+    const Solid& solid() {
+        if (!solid_) solid_.emplace(mesh, name());
+        return *solid_;
+    }
     const OverlapMeter& meter() {
-        if (!meter_) meter_.emplace(mesh);
+        if (!meter_) meter_.emplace(mesh, model);
         return *meter_;
     }
 
@@ -57,6 +61,7 @@ class AssembledPart {
 
   private:
     std::unique_ptr<Solids> solids_;
+    std::optional<Solid> solid_;
     std::optional<OverlapMeter> meter_;
 };
 
@@ -65,7 +70,8 @@ std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
     std::optional<DeepestPoint> deepest;
     for (const auto& [outer, inner] : {std::pair(&a, &b), std::pair(&b, &a)}) {
         if (!outer->isClosed()) continue;
-        const DeepestPoint found = outer->meter().deepest(inner->mesh, {});
+        const DeepestPoint found =
+            outer->meter().deepest(inner->mesh, {}, kShallow * std::min(a.diagonal(), b.diagonal()));
         if (!deepest || found.lower > deepest->lower) deepest = found;
     }
     return deepest;
@@ -75,7 +81,7 @@ std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
 /// have their surfaces in each other's, so that no point of these lies deep.
 std::optional<Vector3> sharedPoint(AssembledPart& a, AssembledPart& b) {
     if (!a.isClosed() || !b.isClosed()) return std::nullopt;
-    const Solid inA(a.mesh, a.name()), inB(b.mesh, b.name());
+    const Solid &inA = a.solid(), &inB = b.solid();
     const double below = kBelow * std::min(a.diagonal(), b.diagonal());
     const std::size_t step = std::max<std::size_t>(1, b.mesh.triangles.size() / kMostSamples);
     for (std::size_t i = 0; i < b.mesh.triangles.size(); i += step) {

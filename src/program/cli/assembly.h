@@ -27,7 +27,7 @@ struct PartPair {
 };
 
 /// The pairs with gaps of at most `near`: overlaps, the deepest first; then contacts; then gaps, the narrowest first. Parts that reach no
-/// deeper into each other than a ten thousandth of the smaller one's diagonal are in contact, unless their surfaces coincide around a shared
+/// deeper into each other than half a thousandth of the smaller one's diagonal are in contact, unless their surfaces coincide around a shared
 /// volume, as those of two copies do. A closed part that holds a piece of another one counts as an overlap; an open part holds nothing.
 std::vector<PartPair> pairsOf(const Mesh& assembly, double near);
 

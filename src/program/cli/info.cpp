@@ -12,6 +12,7 @@
 #include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "clearway/scene_clearance.h"
+#include "core/clock.h"
 #include "core/number.h"
 #include "mesh/components.h"
 #include "program/cli/assembly.h"
@@ -230,7 +231,9 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
     const double widest = near.value_or(kWidestGap * boundingBox(assembly).diagonal().norm());
     std::cout << "\nPairs of parts\n";
     if (componentsOf(assembly).size() < 2) printRow("parts", "one alone: there is nothing to compare");
+    const auto begin = Clock::now();
     const std::vector<PartPair> pairs = pairsOf(assembly, widest);
+    facts()["pairs_seconds"] = secondsSince(begin);
     tellPairs(pairs, widest, csv);
     if (!picture.empty()) drawPairs(assembly, pairs, picture);
 }

@@ -6,6 +6,7 @@ A part PART writes PART.csv. A row of it, PART/ROW, is measured by itself; one r
 from dataclasses import dataclass, field
 from typing import Callable
 
+import assemblies
 import from_files
 import overlaps
 import scene_rows
@@ -235,6 +236,9 @@ PARTS = (
     Part("tight", "parts in tight fits, such as screws in their threads", rows=tight.OWN + tight.BOLTS, quick_rows=("square_peg", "hook"),
          ci_rows=("square_peg",), commands=lambda place, row: [], table=tight.tight, group=("problem",), keys=("problem",),
          shown=("found", "seconds", "clearance")),
+    Part("assemblies", "which parts of an assembly touch, and which come out one after the other", rows=assemblies.OWN + tuple(assemblies.OTHERS),
+         quick_rows=assemblies.OWN, commands=lambda place, row: [], table=assemblies.assemblies, group=("assembly",),
+         keys=("assembly",), shown=("out", "last_out_seconds", "pairs_seconds")),
     Part("ladder", "from the thesis's engine to clearway's, step by step", rows=("K", "I"), ci_rows=("N",),
          commands=ladder, group=("scene",), keys=("scene", "step"), shown=("us_mean", "volume_tests", "triangle_tests")),
     Part("scenes", "the demo scenes, and a distance at their poses", rows=tuple(scene_rows.ROWS), quick_rows=("puzzle-2",), ci_rows=("boxes-1",),

@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
     std::filesystem::create_directory(folder.file("parts"));
     for (const Mesh& mesh : parts()) saveMesh(mesh, folder.file("parts/" + mesh.components[0].name + ".stl"));
     folder.write("parts/notes.txt", "no mesh");
-    const Outcome found = runIn(folder, "info parts --near 0.3 --csv pairs.csv --json pairs.json");
+    const Outcome found =
+        runIn(folder, "info parts --near 0.3 --csv pairs.csv --json pairs.json --picture pairs.png");
     BOOST_TEST_REQUIRE(found.code == 0, found.err);
     BOOST_TEST(holds(row(found, "assembly"), "6 parts"), found.out);
     BOOST_TEST(holds(row(found, "contact"), "base", "lid"), found.out);
@@ -110,6 +111,7 @@ BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
     const auto json = nlohmann::json::parse(readText(folder.file("pairs.json")));
     BOOST_TEST_REQUIRE(json["pairs"].size() == 4u);
     BOOST_TEST(json["pairs"][1]["escape"]["direction"] == "+x");
+    BOOST_TEST(readText(folder.file("pairs.png")).substr(1, 3) == "PNG");
     const std::string csv = readText(folder.file("pairs.csv"));
     BOOST_TEST(std::count(csv.begin(), csv.end(), '\n') == 5);
 
