@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <set>
 
 namespace cp = clearway::planning;
 
@@ -23,7 +22,15 @@ constexpr double kLonger = 6;          // by which the time grows when no part c
 constexpr double kOverlap = 1.34;      // of the depth of a contact; frees a flat one
 constexpr double kSlack =
     0.005;  // of the part's diagonal, added to the overlap, so that the part can begin to move
+constexpr double kContact =
+    0.02;  // of the part's diagonal: how far a part moves until contacts that were ignored count
 constexpr double kShownSeconds = 3;  // that a part moves in the animation
+
+std::string shown(double length) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", length);
+    return text;
+}
 
 /// The assembly without the parts that are out, read from memory.
 class Assembly {
@@ -35,16 +42,19 @@ class Assembly {
             if (component.triangleCount > 0) parts_.push_back(component.name);
         }
         if (parts_.size() < 2) throw std::invalid_argument("'" + path + "' has one part, expected several");
-        std::map<std::string, double> sizes;
-        for (const std::string& part : parts_)
-            sizes[part] = boundingBox(clearway::loadPart(problemOf(part), reader())).diagonal().norm();
-        std::stable_sort(parts_.begin(), parts_.end(), [&](const std::string& a, const std::string& b) {
-            return sizes.at(a) < sizes.at(b);
-        });
+        for (const std::string& part : parts_) {
+            partMeshes_[part] = clearway::loadPart(problemOf(part), reader());
+            models_.emplace(part, clearway::Model::build(partMeshes_[part]));
+        }
+        const auto size = [&](const std::string& part) { return model(part).box().diagonal().norm(); };
+        std::stable_sort(parts_.begin(), parts_.end(),
+                         [&](const std::string& a, const std::string& b) { return size(a) < size(b); });
         metres_ = all.origin.unitMetres > 0 ? all.origin.unitMetres : 1;
     }
 
     const std::vector<std::string>& parts() const { return parts_; }
+    const clearway::Mesh& mesh(const std::string& part) const { return partMeshes_.at(part); }
+    const clearway::Model& model(const std::string& part) const { return models_.at(part); }
     double metres() const { return metres_; }
 
     bool isOut(const std::string& part) const {
@@ -80,37 +90,48 @@ class Assembly {
 
   private:
     std::vector<std::string> files_, parts_, out_;
-    std::map<std::string, clearway::Mesh> meshes_;
+    std::map<std::string, clearway::Mesh> meshes_, partMeshes_;  // of the files, of the parts
+    std::map<std::string, clearway::Model> models_;
     double metres_ = 1;
 };
 
-/// Parts touch where they are assembled. Lets others reach as deep into the part as they do at the start, and a little deeper.
-void allowContact(clearway::Problem& problem, const clearway::SceneMeshes& meshes) {
-    const clearway::Mesh rest = clearway::obstaclesOf(problem, meshes.worlds).groups.at(0).mesh;
-    if (!clearway::collides(clearway::Model::build(meshes.part), clearway::Model::build(rest), {})) return;
-    double depth = 0;
-    try {
-        depth = clearway::OverlapMeter(meshes.part).deepest(rest, {}).upper;
-    } catch (const clearway::ArgumentError&) {
-        // An open part has no inside: the others may reach through its surface by the slack alone.
+/// The parts still there that the part touches.
+std::vector<std::string> touchedBy(const Assembly& assembly, const std::string& part) {
+    std::vector<std::string> touched;
+    for (const std::string& other : assembly.parts()) {
+        if (other != part && clearway::collides(assembly.model(part), assembly.model(other), {}))
+            touched.push_back(other);
     }
-    const double diagonal = clearway::boundingBox(meshes.part).diagonal().norm();
-    problem.rules.overlap.common = kOverlap * depth + kSlack * diagonal;
+    return touched;
 }
 
-/// A part that did not come out: in how much time, and what stopped it.
+/// Parts touch where they are assembled. Lets the touched ones reach as deep into the part as they do at the start, and a little deeper.
+/// Throws clearway::ArgumentError if the part is open: then no depth is known.
+void allowOverlap(clearway::Problem& problem, const Assembly& assembly, const clearway::Mesh& part,
+                  const std::vector<std::string>& touched) {
+    double depth = 0;
+    const clearway::OverlapMeter meter(part);
+    for (const std::string& other : touched)
+        depth = std::max(depth, meter.deepest(assembly.mesh(other), {}).upper);
+    problem.rules.overlap.common = kOverlap * depth + kSlack * boundingBox(part).diagonal().norm();
+}
+
+/// A part that did not come out: in how much time, and what stopped it, most often first.
 struct Held {
     double seconds = 0;
-    std::set<std::string> by;
+    std::vector<std::string> by;
     std::string error;
 };
 
 Held whatHolds(const cp::PlanReport& report, double seconds) {
     Held held{seconds, {}, report.shutIn ? "it is shut in" : ""};
     if (!report.whyNoPath) return held;
-    for (const cp::FollowedTrack& track : report.whyNoPath->tracks) held.by.insert(track.obstacleMesh);
-    for (const cp::Blocker& blocker : report.whyNoPath->blockers) held.by.insert(blocker.name);
-    held.by.erase("");  // the bounds
+    const auto add = [&](const std::string& name) {
+        if (!name.empty() && std::find(held.by.begin(), held.by.end(), name) == held.by.end())
+            held.by.push_back(name);
+    };
+    for (const cp::FollowedTrack& track : report.whyNoPath->tracks) add(track.obstacleMesh);
+    for (const cp::Blocker& blocker : report.whyNoPath->blockers) add(blocker.name);
     return held;
 }
 
@@ -126,36 +147,62 @@ struct Disassembly {
     std::map<std::string, Held> held;
 };
 
-/// Moves the part out, and writes its problem and path; or keeps what holds the part.
-bool moveOut(const Assembly& assembly, const std::string& part, double seconds, Disassembly& all) {
-    clearway::Problem problem = assembly.problemOf(part);
-    const clearway::SceneMeshes meshes = clearway::loadMeshes(problem, assembly.reader());
+/// A plan of the part's way out, and how its problem allows the contacts at the start, for people.
+struct WayOut {
+    clearway::Problem problem;
+    cp::PlanReport report;
+    std::string contacts;
+};
+
+/// Where the part touches others, they may overlap, or, where that does not free the start, they are ignored until the part has moved a little.
+WayOut planWayOut(const Assembly& assembly, const std::string& part, double seconds) {
     cp::PlanOptions options;
     options.seconds = seconds;
     options.quick = true;
+    WayOut way{assembly.problemOf(part), {}, "no contact"};
+    const clearway::SceneMeshes meshes = clearway::loadMeshes(way.problem, assembly.reader());
+    const auto plan = [&] {
+        way.report = cp::plan(way.problem, clearway::buildScene(way.problem, meshes).scene, options);
+    };
+    const std::vector<std::string> touched = touchedBy(assembly, part);
     try {
-        allowContact(problem, meshes);
-        const cp::PlanReport report = cp::plan(problem, clearway::buildScene(problem, meshes).scene, options);
-        if (report.outcome != cp::PlanReport::Outcome::kFound) {
-            all.held[part] = whatHolds(report, seconds);
-            return false;
-        }
-        std::string name = std::to_string(all.moves.size() + 1) + "_" + part;
-        std::replace(name.begin(), name.end(), '/', '_');
-        clearway::writeProblem(problem, all.folder + "/" + name + ".cfg");
-        clearway::writePath(report.path, problem.space, all.folder + "/" + name + ".path");
-        const double begin = kShownSeconds * static_cast<double>(all.moves.size());
-        all.moves.push_back({meshes.part, report.path, begin, begin + kShownSeconds, true, part});
-        std::printf("%3zu %-24s out after %5.1f s (%.2f s of planning, %zu motions, overlap %.3g)\n",
-                    all.moves.size(), part.c_str(), secondsSince(all.begin), report.planningSeconds,
-                    report.path.size() - 1, problem.rules.overlap.common);
-        std::fflush(stdout);
-        all.held.erase(part);
-        return true;
-    } catch (const clearway::ArgumentError& error) {
-        all.held[part] = {seconds, {}, error.what()};
+        if (!touched.empty()) allowOverlap(way.problem, assembly, meshes.part, touched);
+        if (!touched.empty()) way.contacts = "overlap " + shown(way.problem.rules.overlap.common);
+        plan();
+    } catch (const clearway::ArgumentError&) {
+        if (touched.empty()) throw;
+        const double distance = kContact * boundingBox(meshes.part).diagonal().norm();
+        way.problem.rules.overlap = {};
+        way.problem.rules.startContact = clearway::ContactRule{touched, distance};
+        way.contacts = "contacts ignored for " + shown(distance);
+        plan();
+    }
+    return way;
+}
+
+/// Moves the part out, and writes its problem and path; or keeps what holds the part.
+bool moveOut(const Assembly& assembly, const std::string& part, double seconds, Disassembly& all) try {
+    const WayOut way = planWayOut(assembly, part, seconds);
+    if (way.report.outcome != cp::PlanReport::Outcome::kFound) {
+        all.held[part] = whatHolds(way.report, seconds);
         return false;
     }
+    std::string name = std::to_string(all.moves.size() + 1) + "_" + part;
+    std::replace(name.begin(), name.end(), '/', '_');
+    clearway::writeProblem(way.problem, all.folder + "/" + name + ".cfg");
+    clearway::writePath(way.report.path, way.problem.space, all.folder + "/" + name + ".path");
+    const double begin = kShownSeconds * static_cast<double>(all.moves.size());
+    all.moves.push_back({assembly.mesh(part), way.report.path, begin, begin + kShownSeconds, true, part});
+    std::printf("%3zu %-24s out after %5.1f s (%.2f s of planning, %zu motions, %s)\n", all.moves.size(),
+                part.c_str(), secondsSince(all.begin), way.report.planningSeconds, way.report.path.size() - 1,
+                way.contacts.c_str());
+    std::fflush(stdout);
+    all.held.erase(part);
+    return true;
+} catch (const clearway::ArgumentError& error) {
+    const std::string words = error.what();
+    all.held[part] = {seconds, {}, words.substr(0, words.find("; "))};
+    return false;
 }
 
 /// Takes out what comes out: those that need the least time first, and small parts first. A part is tried again with more time, or once
@@ -183,9 +230,12 @@ void takeApart(Assembly& assembly, double mostSeconds, Disassembly& all) {
 }
 
 void printHeld(const std::string& part, const Held& held) {
-    std::string names;
-    for (const std::string& name : held.by) names += (names.empty() ? "held by '" : ", '") + name + "'";
-    std::printf("    %s: %s%s\n", part.c_str(), held.error.c_str(), names.c_str());
+    constexpr std::size_t kMost = 3;
+    std::string words = held.error;
+    for (std::size_t i = 0; i < held.by.size() && i < kMost; ++i)
+        words += (i == 0 ? "held by '" : ", '") + held.by[i] + "'";
+    if (held.by.size() > kMost) words += " and " + std::to_string(held.by.size() - kMost) + " more";
+    std::printf("    %s: %s\n", part.c_str(), words.c_str());
 }
 
 int main(int argc, char** argv) try {

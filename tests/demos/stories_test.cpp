@@ -229,13 +229,13 @@ BOOST_AUTO_TEST_CASE(disassemble_writes_paths_that_hold_among_the_parts_still_th
                              box("upper", {2, 2, 5.01}, {12, 12, 8})})
         saveMesh(part, folder.file("parts/" + part.components[0].name + ".obj"));
     const std::string program = CLEARWAY_DEMOS "/demo_disassemble '";
-    const Story apart = run(folder, program + folder.file("parts") + "' '" + folder.file("out") + "/'");
+    const Story apart = run(folder, program + folder.file("parts") + "' '" + folder.file("apart") + "'");
     BOOST_TEST(apart.code == 0, apart.err);
     BOOST_TEST(holds(apart.out, "2 of 3 parts came out one after the other", "the last one is alone"),
                apart.out);
-    BOOST_TEST(std::filesystem::exists(folder.file("out/disassembly.glb")));
+    BOOST_TEST(std::filesystem::exists(folder.file("apart/disassembly.glb")));
     int paths = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.file("out"))) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file("apart"))) {
         if (entry.path().extension() != ".cfg") continue;
         ++paths;
         const Problem problem = readProblem(entry.path().string());

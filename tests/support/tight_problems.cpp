@@ -409,7 +409,8 @@ Mesh pumpAssembly() {
     }
     add("washer", 30, 7 + 2 * kGap, {scenes::ring({{6.2, 0}, {9.5, 0}, {9.5, 2}, {6.2, 2}}, 48)});
     add("hub", 90, 0, {keyedRing(10 + kGap, 12 + kGap, 15, 20)});
-    add("shaft", 90, 0, {keyedShaft(10, 12, 10 - kGap / 10 / kDegree, {kGap, 20 + kGap}), disc(13, 20 + 2 * kGap, 26, 144)});
+    add("shaft", 90, 0,
+        {keyedShaft(10, 12, 10 - kGap / 10 / kDegree, {kGap, 20 + kGap}), disc(13, 20 + 2 * kGap, 26, 144)});
     const AssembledProblem lock = bayonet("", 90, 90, 0);
     for (const auto& [name, mesh] : {std::pair("pot", &lock.environment), std::pair("lid", &lock.part)})
         add(name, 122, 3, {{mesh->vertices, mesh->triangles}});

@@ -72,7 +72,7 @@ void takePartsOut(InitArguments& given) {
         given.partNames.clear();
         given.environment.erase(given.environment.begin() + static_cast<std::ptrdiff_t>(file));
     }
-    namesOf("--part", given.partNames);  // refused before anything is said
+    if (!given.partNames.empty()) namesOf("--part", given.partNames);  // refused before anything is said
 }
 
 bool readArguments(const Arguments& words, InitArguments& given) {
