@@ -21,6 +21,8 @@ struct Component {
     std::string name;                 ///< empty for a nameless component
     std::uint32_t firstTriangle = 0;  ///< position in Mesh::triangles
     std::uint32_t triangleCount = 0;  ///< may be 0
+    /// How far the file says its triangles may be from the surface they were made for, in mesh coordinates; 0 if it says nothing.
+    double deflection = 0;
 };
 
 /// How the loader made the stored coordinates: stored = scale * (file coordinates) + shift, where the file
@@ -48,6 +50,8 @@ struct MeshOrigin {
     /// One line for each other conversion that was applied or left out: units, up axis, assimp's own
     /// conversions, re-centring.
     std::vector<std::string> notes;
+    double deflection =
+        0;  ///< the largest one that the file states for a component (3MF alone), in file units; 0 for none
 };
 
 /// Triangles over shared vertices. The stored doubles are exact by definition: every query answers for them.
@@ -93,15 +97,20 @@ struct LoadOptions {
 /// that is not finite (naming the first such triangle). Throws ArgumentError when the scale is not a finite number above 0.
 Mesh loadMesh(const std::string& file, const LoadOptions& options = {});
 
-/// Writes the mesh in the format of the file's ending: .glb, .obj, .ply, .stl or .dae. Coordinates are
-/// rounded to float, as the formats store them. The file is written under a temporary name, then renamed.
+/// Writes the mesh in the format of the file's ending: .3mf, .glb, .obj, .ply, .stl or .dae. All but .3mf store coordinates
+/// rounded to float. The file is written under a temporary name, then renamed.
+///
+/// .3mf reads back to equal doubles, triangles in equal order, equal component names (if distinct and not empty), deflections and unit.
+/// The unit of the coordinates is origin.unitMetres / origin.scale. Without a unit, other programs take 3MF coordinates for millimetres;
+/// loadMesh then finds no unit, as before.
 ///
 /// .glb reads back to equal floats, the triangles in equal order, and equal component names (if distinct and not empty). .obj and .dae keep
 /// order and names; their text tells floats apart, with fewer digits than doubles need: coordinates read back within 1e-8 of their size. .ply
 /// and .stl (both binary) keep floats and order and lose the components. Components without triangles are left out.
 ///
-/// Throws ArgumentError for an unknown ending, a mesh that Model::build would refuse, and a
-/// coordinate beyond float's range. Throws FileError when the file cannot be written.
+/// Throws ArgumentError for an unknown ending, a mesh that Model::build would refuse, a coordinate beyond float's range (not for .3mf) and,
+/// for .3mf, a unit other than its own (micron, millimeter, centimeter, inch, foot, meter) or a name with control characters. Throws
+/// FileError when the file cannot be written.
 void saveMesh(const Mesh& mesh, const std::string& file);
 
 /// The closed surface of a box as one component: 12 triangles that face outwards. Useful as a keep-out

@@ -7,8 +7,6 @@
 
 namespace clearway {
 
-namespace {
-
 std::string utf8Of(const std::string& text) {
     namespace utf = boost::locale::utf;
     std::string result;
@@ -23,6 +21,8 @@ std::string utf8Of(const std::string& text) {
     }
     return result;
 }
+
+namespace {
 
 void makeUtf8(FloatJson& value) {
     if (value.is_string()) value = utf8Of(value.get_ref<const std::string&>());

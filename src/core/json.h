@@ -16,8 +16,11 @@ using Json = nlohmann::ordered_json;
 using FloatJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
                                        std::uint64_t, float>;
 
-/// The value on one line. The character < is escaped, so that no tag inside can end an HTML script. Bytes
-/// that are not UTF-8, which readers of JSON refuse, are read as Latin-1, which old mesh files use.
+/// The text in UTF-8: bytes that are not are read as Latin-1, which old mesh files use.
+std::string utf8Of(const std::string& text);
+
+/// The value on one line. The character < is escaped, so that no tag inside can end an HTML script. Strings
+/// are made UTF-8, because readers of JSON refuse others.
 std::string jsonText(FloatJson value);
 
 }  // namespace clearway

@@ -1,4 +1,5 @@
 #include "mesh/components.h"
+#include <algorithm>
 
 #include <unordered_map>
 #include <unordered_set>
@@ -27,13 +28,19 @@ Mesh meshOfComponents(const Mesh& mesh, const std::vector<std::size_t>& componen
     result.origin = mesh.origin;
     for (const std::size_t index : components) {
         const Component& component = all[index];
-        result.components.push_back(
-            {component.name, static_cast<std::uint32_t>(result.triangles.size()), component.triangleCount});
+        result.components.push_back({component.name, static_cast<std::uint32_t>(result.triangles.size()),
+                                     component.triangleCount, component.deflection});
         const auto first = mesh.triangles.begin() + component.firstTriangle;
         result.triangles.insert(result.triangles.end(), first, first + component.triangleCount);
     }
     result.vertices = takeUsedVertices(mesh.vertices, result.triangles);
     return result;
+}
+
+double deflectionOf(const Mesh& mesh) {
+    double largest = 0;
+    for (const Component& component : mesh.components) largest = std::max(largest, component.deflection);
+    return largest;
 }
 
 std::string componentName(const std::string& node, const std::string& mesh) {

@@ -16,6 +16,9 @@ std::vector<Component> componentsOf(const Mesh& mesh);
 /// origin is copied from the mesh.
 Mesh meshOfComponents(const Mesh& mesh, const std::vector<std::size_t>& components);
 
+/// The largest deflection of the mesh's components, in mesh coordinates.
+double deflectionOf(const Mesh& mesh);
+
 /// "node/mesh", or only one of the names when both are equal or one is missing. Names that an importer made
 /// up ("<STL_BINARY>", "$ColladaAutoName$_0", "defaultobject") count as missing.
 std::string componentName(const std::string& node, const std::string& mesh);

@@ -130,6 +130,7 @@ Mesh readAsOmplApp(const MeshFormat* format, const std::string& file, std::strin
     origin.upAxis = stored.upAxis;
     origin.bentFaces = stored.bentFaces;
     origin.bentBy = stored.bentBy;
+    origin.deflection = stored.deflection;
     origin.notes.insert(origin.notes.end(), stored.notes.begin(), stored.notes.end());
     if (theirs.mesh.triangles.size() == ours.triangles.size()) {
         origin.crossingFaces = stored.crossingFaces;
@@ -167,6 +168,7 @@ Mesh loadMesh(const std::string& file, const LoadOptions& options) {
     mesh.origin.shift *= options.scale;
     if (options.scale == 1) return mesh;
     for (Vector3& vertex : mesh.vertices) vertex *= options.scale;
+    for (Component& component : mesh.components) component.deflection *= options.scale;
     requireSoundMeshFile(mesh, file);
     return mesh;
 }

@@ -1,4 +1,4 @@
-// Writes mesh files: .glb by writeGlb, the other formats through assimp's exporter.
+// Writes mesh files: .3mf by threeMfOf, .glb by writeGlb, the other formats through assimp's exporter.
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "core/replace_file.h"
 #include "core/text.h"
 #include "mesh/glb.h"
+#include "mesh/three_mf.h"
 
 namespace clearway {
 
@@ -19,10 +20,10 @@ namespace {
 
 struct ExportFormat {
     const char* name;      ///< the file's ending
-    const char* assimpId;  ///< null: written by writeGlb
+    const char* assimpId;  ///< null: written by threeMfOf or writeGlb
 };
-constexpr ExportFormat kExportFormats[] = {
-    {".glb", nullptr}, {".obj", "objnomtl"}, {".ply", "plyb"}, {".stl", "stlb"}, {".dae", "collada"}};
+constexpr ExportFormat kExportFormats[] = {{".3mf", nullptr}, {".glb", nullptr}, {".obj", "objnomtl"},
+                                           {".ply", "plyb"},  {".stl", "stlb"},  {".dae", "collada"}};
 
 const ExportFormat& formatOf(const std::string& file) {
     std::string ending = std::filesystem::path(file).extension().string();
@@ -87,7 +88,12 @@ void writeByAssimp(const std::vector<SavePart>& parts, const ExportFormat& forma
 
 void saveMesh(const Mesh& mesh, const std::string& file) {
     const ExportFormat& format = formatOf(file);
-    const std::vector<SavePart> parts = savePartsOf(mesh, std::filesystem::path(file).stem().string());
+    const std::string stem = std::filesystem::path(file).stem().string();
+    if (format.name == std::string(".3mf")) {
+        const std::string bytes = threeMfOf(mesh, stem);
+        return replaceFile(file, [&](std::ostream& stream) { stream << bytes; });
+    }
+    const std::vector<SavePart> parts = savePartsOf(mesh, stem);
     if (format.assimpId) {
         writeByAssimp(parts, format, file);
     } else {

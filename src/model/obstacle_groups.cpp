@@ -155,6 +155,7 @@ MeshOrigin joinedOrigin(const std::vector<Mesh>& files) {
         all.crossingFaces += one.crossingFaces;
         all.bentFaces += one.bentFaces;
         all.bentBy = std::max(all.bentBy, one.bentBy);
+        all.deflection = std::max(all.deflection, one.deflection * one.scale);
         all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
         for (const std::string& note : one.notes) all.notes.push_back(one.file + ": " + note);
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "clearway/mesh.h"
 #include "mesh/mesh_files.h"
 #include "support/random_meshes.h"
@@ -71,7 +72,7 @@ Mesh savedAndLoaded(const Mesh& mesh, const std::string& name) {
     return loadMesh(folder.file(name));
 }
 
-const char* const kEndings[] = {".glb", ".obj", ".dae", ".ply", ".stl"};
+const char* const kEndings[] = {".3mf", ".glb", ".obj", ".dae", ".ply", ".stl"};
 
 }  // namespace
 
@@ -91,8 +92,8 @@ BOOST_AUTO_TEST_CASE(glb_brings_back_any_floats_order_and_names) {
 }
 
 BOOST_DATA_TEST_CASE(coordinates_in_millimetres_come_back_the_same_in_order, data::make(kEndings), ending) {
-    const bool keepsComponents =
-        ending == std::string(".glb") || ending == std::string(".obj") || ending == std::string(".dae");
+    const bool keepsComponents = ending == std::string(".3mf") || ending == std::string(".glb") ||
+                                 ending == std::string(".obj") || ending == std::string(".dae");
     for (const std::uint64_t seed : {4, 5}) {
         BOOST_TEST_CONTEXT("seed " << seed) {
             Random random(seed);
@@ -147,6 +148,58 @@ BOOST_AUTO_TEST_CASE(a_glb_reads_the_same_as_ompl_app_reads_it) {
     requireSameComponents(loaded, mesh);
 }
 
+BOOST_AUTO_TEST_CASE(a_3mf_brings_back_any_doubles_order_names_deflections_and_unit) {
+    for (const double unit : {1e-6, 1e-3, 1e-2, 0.0254, 0.3048, 1.0, 0.0}) {
+        BOOST_TEST_CONTEXT("unit of " << unit << " m") {
+            Random random(8);
+            Mesh mesh = namedMesh(random, [] { return 0.f; });
+            for (Vector3& vertex : mesh.vertices) {
+                for (double& x : vertex) x = std::ldexp(random.uniform(-1, 1), random.below(2000) - 1000);
+            }
+            mesh.vertices[0] = {-0.0, 1e-320, 1.7e308};
+            mesh.origin.unitMetres = unit;
+            mesh.components[1].name = "<Träger> & \"rib\"";
+            mesh.components[1].deflection = 0.1;
+            mesh.components[3].deflection = 1.0 / 3;
+            const Mesh loaded = savedAndLoaded(mesh, "part.3mf");
+            BOOST_TEST(differingCorners(loaded, mesh) == 0u);
+            requireSameComponents(loaded, mesh);
+            BOOST_TEST(loaded.origin.unitMetres == unit);
+            BOOST_TEST(loaded.origin.deflection == 1.0 / 3);
+            for (std::size_t i = 0; i < mesh.components.size(); ++i)
+                BOOST_TEST(loaded.components[i].deflection == mesh.components[i].deflection);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_3mf_states_the_unit_of_scaled_coordinates) {
+    const TemporaryFolder folder;
+    Mesh mesh = tetrahedron();
+    mesh.components = {{"a", 0, 4, 0.5}};
+    mesh.origin.unitMetres = 1e-2;
+    saveMesh(mesh, folder.file("a.3mf"));
+    LoadOptions options;
+    options.scale = 10;
+    const Mesh scaled = loadMesh(folder.file("a.3mf"), options);
+    BOOST_TEST(scaled.components[0].deflection == 5);
+    BOOST_TEST(scaled.origin.deflection == 0.5);
+    saveMesh(scaled, folder.file("b.3mf"));
+    const Mesh loaded = loadMesh(folder.file("b.3mf"));
+    BOOST_TEST(loaded.origin.unitMetres == 1e-3);
+    BOOST_TEST(loaded.origin.deflection == 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_3mf_is_refused_where_it_would_say_something_else) {
+    const TemporaryFolder folder;
+    Mesh mesh = tetrahedron();
+    mesh.origin.unitMetres = 1000;
+    BOOST_CHECK_THROW(saveMesh(mesh, folder.file("a.3mf")), ArgumentError);
+    mesh.origin.unitMetres = 0;
+    mesh.components = {{"tab\there", 0, 4}};
+    BOOST_CHECK_THROW(saveMesh(mesh, folder.file("a.3mf")), ArgumentError);
+    BOOST_TEST(folder.names().empty());
+}
+
 BOOST_AUTO_TEST_CASE(doubles_are_rounded_to_the_nearest_float) {
     Mesh mesh = tetrahedron();
     mesh.vertices[0].x() = 0.1;
@@ -171,10 +224,11 @@ BOOST_AUTO_TEST_CASE(glb_keeps_names_of_any_characters) {
     requireSameComponents(savedAndLoaded(mesh, "a.glb"), mesh);
 }
 
-BOOST_AUTO_TEST_CASE(glb_names_are_utf8_whatever_the_bytes_they_came_in) {
+BOOST_AUTO_TEST_CASE(names_in_glb_and_3mf_are_utf8_whatever_the_bytes_they_came_in) {
     Mesh mesh = tetrahedron();
     mesh.components = {{"Tr\xe4ger", 0, 4}};  // Latin-1
-    BOOST_TEST(savedAndLoaded(mesh, "a.glb").components.at(0).name == "Träger");
+    for (const char* const name : {"a.glb", "a.3mf"})
+        BOOST_TEST(savedAndLoaded(mesh, name).components.at(0).name == "Träger");
 }
 
 BOOST_AUTO_TEST_CASE(empty_components_are_left_out) {
@@ -191,7 +245,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_refused_and_leaves_nothing) {
                              const std::vector<std::string>& words) {
         requireRefusedBy([&] { saveMesh(mesh, folder.file(name)); }, words);
     };
-    refused(tetrahedron(), "a.xyz", {"a.xyz", "'.xyz'", ".glb, .obj, .ply, .stl, .dae"});
+    refused(tetrahedron(), "a.xyz", {"a.xyz", "'.xyz'", ".3mf, .glb, .obj, .ply, .stl, .dae"});
     refused(tetrahedron(), "glb", {"is '', expected"});
     for (const char* const ending : kEndings) {
         const std::string name = std::string("a") + ending;
@@ -199,9 +253,10 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_refused_and_leaves_nothing) {
         Mesh mesh = tetrahedron();
         mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
         refused(mesh, name, {"triangle 1", "(6, nan, -8)"});
-        mesh.vertices[3].y() = 1e39;
-        refused(mesh, name, {"triangle 1", "(6, 1e+39, -8)"});
         BOOST_CHECK_THROW(saveMesh(tetrahedron(), folder.file("no/such/folder/" + name)), std::runtime_error);
+        mesh.vertices[3].y() = 1e39;
+        if (ending == std::string(".3mf")) continue;  // which holds doubles
+        refused(mesh, name, {"triangle 1", "(6, 1e+39, -8)"});
     }
     BOOST_TEST(folder.names().empty());
 }

@@ -27,16 +27,18 @@ void MeshCollector::refuse(const std::string& reason) const {
     throw FileError(fmt::format("cannot read mesh '{}': {}", file(), reason));
 }
 
-void MeshCollector::beginComponent(std::string_view name) {
+void MeshCollector::beginComponent(std::string_view name, double deflection) {
     closeComponent();
     name_ = name;
+    deflection_ = deflection;
 }
 
 void MeshCollector::closeComponent() {
     const std::size_t count = mesh_.triangles.size() - first_;
     if (count > 0) {
         mesh_.components.push_back(
-            {name_, static_cast<std::uint32_t>(first_), static_cast<std::uint32_t>(count)});
+            {name_, static_cast<std::uint32_t>(first_), static_cast<std::uint32_t>(count), deflection_});
+        mesh_.origin.deflection = std::max(mesh_.origin.deflection, deflection_);
     }
     first_ = mesh_.triangles.size();
 }

@@ -43,7 +43,7 @@ class MeshCollector {
     }
 
     /// Faces from here on belong to a component of this name; it may be empty, or another component's.
-    void beginComponent(std::string_view name);
+    void beginComponent(std::string_view name, double deflection = 0);
 
     void reserve(std::size_t vertices, std::size_t triangles);
 
@@ -87,6 +87,7 @@ class MeshCollector {
 
     Mesh mesh_;
     std::string name_;
+    double deflection_ = 0;
     std::size_t first_ = 0;  ///< triangle of the component that is being collected
 };
 

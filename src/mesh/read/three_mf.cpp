@@ -2,6 +2,7 @@
 // Material that an extension adds (beam lattices, booleans, slices) is refused by name, because it would be missing.
 // Source: 3MF Core Specification 1.3, Production Extension 1.1.2, Slice Extension 1.0.2.
 #include <fmt/format.h>
+#include <Eigen/SVD>
 #include <map>
 #include <unordered_set>
 
@@ -153,12 +154,27 @@ class Reader {
         if (isNew) entry->second = readShape(object, node);
         const Shape& shape = entry->second;
         const auto first = static_cast<std::uint32_t>(mesh_.vertexCount());
-        mesh_.beginComponent(name);
+        mesh_.beginComponent(name, deflectionOf(object, X_fileObject));
         for (const Vector3& vertex : shape.vertices) mesh_.addVertex(X_fileObject(vertex));
         const bool isMirrored = X_fileObject.isMirrored();
         for (const TriangleIndices& t : shape.triangles) {
             mesh_.addTriangle(first + t[0], first + t[isMirrored ? 2 : 1], first + t[isMirrored ? 1 : 2]);
         }
+    }
+
+    /// In file coordinates; 0 if the object states none.
+    double deflectionOf(const Object& object, const Placement& X_fileObject) const {
+        for (const xml_node group : object.node) {
+            if (!isCore(group, "metadatagroup")) continue;
+            const std::optional<std::string> text = clearwayMetadata(group, "deflection");
+            double length = 0;
+            if (!text) continue;
+            if (!isNumber(text->c_str(), length) || !(length >= 0))
+                mesh_.refuse("the deflection of {} is {}, expected a number of at least 0", object.text(),
+                             quote(*text));
+            return length * Eigen::JacobiSVD<Matrix3>(X_fileObject.linear).singularValues()[0];
+        }
+        return 0;
     }
 
     Shape readShape(const Object& object, const xml_node& node) {

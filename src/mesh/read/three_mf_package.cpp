@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "mesh/three_mf.h"
+
 namespace clearway {
 
 using pugi::xml_attribute;
@@ -15,13 +17,6 @@ constexpr std::string_view kSharedBeginning = "http://schemas.microsoft.com/3dma
 constexpr std::string_view kModelRelationship =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::string_view kModelEnding = ".model";
-
-struct Unit {
-    const char* name;
-    double metres;
-};
-constexpr Unit kUnits[] = {{"micron", 1e-6}, {"millimeter", 1e-3}, {"centimeter", 1e-2},
-                           {"inch", 0.0254}, {"foot", 0.3048},     {"meter", 1}};
 
 }  // namespace
 
@@ -58,6 +53,16 @@ xml_attribute extensionAttribute(const xml_node& node, std::string_view name, st
         if (isNamed && namespaceOf(node, prefix) == space) return attribute;
     }
     return {};
+}
+
+std::optional<std::string> clearwayMetadata(const xml_node& parent, std::string_view name) {
+    for (const xml_node node : parent) {
+        if (!isCore(node, "metadata")) continue;
+        const std::string_view whole = node.attribute("name").value();
+        const bool isNamed = whole != localName(whole) && localName(whole) == name;
+        if (isNamed && namespaceOf(node, prefixOf(whole)) == kClearwaySpace) return node.child_value();
+    }
+    return std::nullopt;
 }
 
 ModelPart& ThreeMfPackage::root() {
@@ -125,14 +130,14 @@ void ThreeMfPackage::requireKnownExtensions(const ModelPart& part) const {
 
 void ThreeMfPackage::requireSameUnit(const ModelPart& part) {
     const std::string unit = part.model.attribute("unit").as_string("millimeter");
-    const auto known =
-        std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Unit& row) { return unit == row.name; });
+    const auto known = std::find_if(std::begin(kThreeMfUnits), std::end(kThreeMfUnits),
+                                    [&](const ThreeMfUnit& row) { return unit == row.name; });
     const std::string what =
         fmt::format("the unit of part {} is {}, expected ", quote(part.name), quote(unit));
-    if (known == std::end(kUnits)) mesh_.refuse("{}one of {}", what, joined(namesOf(kUnits)));
+    if (known == std::end(kThreeMfUnits)) mesh_.refuse("{}one of {}", what, joined(namesOf(kThreeMfUnits)));
     if (unit_.empty()) {
         unit_ = unit;
-        mesh_.setUnit(known->metres);
+        mesh_.setUnit(clearwayMetadata(part.model, "unit") == "none" ? 0 : known->metres);
     }
     if (unit != unit_) mesh_.refuse("{}{} as in the first part", what, quote(unit_));
 }

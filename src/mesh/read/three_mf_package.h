@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "mesh/read/xml.h"
@@ -35,6 +36,9 @@ bool isCore(const pugi::xml_node& node, std::string_view name);
 /// The attribute with a prefix that is bound to the namespace.
 pugi::xml_attribute extensionAttribute(const pugi::xml_node& node, std::string_view name,
                                        std::string_view space);
+
+/// The text of clearway's own metadata of this name among the node's children.
+std::optional<std::string> clearwayMetadata(const pugi::xml_node& parent, std::string_view name);
 
 struct ModelPart {
     std::string name;

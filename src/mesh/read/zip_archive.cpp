@@ -6,6 +6,7 @@
 #include <charconv>
 #include <memory>
 
+#include "clearway/errors.h"
 #include "core/text.h"
 
 namespace clearway {
@@ -100,6 +101,38 @@ std::string ZipArchive::read(const std::string& name) {
                      size < stat.size ? std::to_string(size) : "more", stat.size);
     }
     bytes.pop_back();
+    return bytes;
+}
+
+std::string zipOf(const std::vector<ZipPart>& parts) {
+    const auto require = [](bool isDone, const std::string& what) {
+        if (!isDone) throw FileError("cannot make a zip archive: " + what);
+    };
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* const all = zip_source_buffer_create(nullptr, 0, 0, &error);
+    require(all != nullptr, zip_error_strerror(&error));
+    const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> owner(all, zip_source_free);
+    std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
+        zip_open_from_source(all, ZIP_CREATE | ZIP_TRUNCATE, &error), zip_discard);
+    require(archive != nullptr, zip_error_strerror(&error));
+    zip_source_keep(all);  // closing the archive frees it once
+    for (const ZipPart& part : parts) {
+        zip_source_t* const source =
+            zip_source_buffer(archive.get(), part.bytes.data(), part.bytes.size(), 0);
+        const zip_int64_t index = zip_file_add(archive.get(), part.name.c_str(), source, ZIP_FL_ENC_UTF_8);
+        require(index >= 0, zip_strerror(archive.get()));
+        zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21,
+                             0);  // the first day of 1980
+    }
+    require(zip_close(archive.get()) == 0, zip_strerror(archive.get()));
+    archive.release();  // is closed
+    zip_stat_t stat;
+    require(zip_source_stat(all, &stat) == 0 && zip_source_open(all) == 0, "it cannot be read back");
+    std::string bytes(stat.size, '\0');
+    const zip_int64_t count = zip_source_read(all, bytes.data(), bytes.size());
+    zip_source_close(all);
+    require(count == static_cast<zip_int64_t>(bytes.size()), "it cannot be read back whole");
     return bytes;
 }
 

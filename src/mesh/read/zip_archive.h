@@ -39,4 +39,11 @@ class ZipArchive {
     std::uint64_t bytesRead_ = 0;
 };
 
+struct ZipPart {
+    std::string name, bytes;
+};
+
+/// The bytes of an archive with these parts, compressed. Equal parts give equal bytes.
+std::string zipOf(const std::vector<ZipPart>& parts);
+
 }  // namespace clearway
