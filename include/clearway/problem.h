@@ -140,6 +140,10 @@ struct Problem {
 
     /// One line for each key that has no effect, to be shown once.
     std::vector<std::string> warnings;
+
+    /// How far the triangles may be from the surfaces that they were made for, environment units; 0: not known. To be shown beside
+    /// clearances, which it does not change: `margin = deflection` makes margin 2 * deflection.
+    double deflection = 0;
 };
 
 /// Reads a .cfg. The space is SE(3) if start and goal have z and the axis keys, SE(2) if they have none of

@@ -49,10 +49,10 @@ const std::vector<KnownKeys>& knownKeys() {
           "longest_valid_segment_fraction",
           "projection.cellsize_factor"}},
         {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
-        {"clearway",
-         {"contact.goal", "contact.start", "fineness", "goal", "goal.degrees", "ignore", "margin",
-          "margin.NAME", "outside", "overlap", "overlap.NAME", "part", "reading", "robot.scale", "solid",
-          "start.degrees", "step", "unit", "world.scale"}},
+        {"clearway", {"contact.goal", "contact.start", "deflection", "fineness",    "goal",
+                      "goal.degrees", "ignore",        "margin",     "margin.NAME", "outside",
+                      "overlap",      "overlap.NAME",  "part",       "reading",     "robot.scale",
+                      "solid",        "start.degrees", "step",       "unit",        "world.scale"}},
     };
     return all;
 }

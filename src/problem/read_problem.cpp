@@ -253,10 +253,23 @@ std::string readUnit(ConfigValues& values) {
     return unit.value_or("");
 }
 
-void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
-    const std::string margin = "clearway.margin";
+/// Reads the deflection and the margin, which may be the word deflection: both surfaces, the part's and the obstacle's, may be as far
+/// from their triangles.
+void readMargin(ConfigValues& values, Problem& problem) {
+    const std::string deflection = "clearway.deflection", margin = "clearway.margin";
+    problem.deflection = values.number(deflection).value_or(0);
+    if (!(problem.deflection >= 0)) values.refuse(deflection, "a number of at least 0");
+    if (values.text(margin) == "deflection") {
+        if (!values.has(deflection)) values.refuse(margin, "the key deflection beside it, or a number");
+        problem.margin = 2 * problem.deflection;
+        return;
+    }
     problem.margin = values.number(margin).value_or(0);
     if (!(problem.margin >= 0)) values.refuse(margin, "a number of at least 0");
+}
+
+void readClearway(ConfigValues& values, bool isClearways, Problem& problem) {
+    readMargin(values, problem);
     problem.rules = readObstacleRules(values);
     problem.fineness = readPositive(values, "clearway.fineness");
     if (const auto step = readPositive(values, "clearway.step")) {  // the key's older name

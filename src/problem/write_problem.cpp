@@ -161,6 +161,7 @@ void writeClearwaySection(ConfigText& text, const Problem& problem) {
         if (problem.outside->side) text.line("outside", nameOf(*problem.outside->side));
     }
     text.line("margin", problem.margin);
+    if (problem.deflection != 0) text.line("deflection", problem.deflection);
     for (const auto& [key, value] : writtenRules(problem.rules)) text.quotedLine(key, value);
     if (problem.fineness) text.line("fineness", *problem.fineness);
     if (!problem.unit.empty()) text.line("unit", problem.unit);

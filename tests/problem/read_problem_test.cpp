@@ -137,6 +137,13 @@ reading = stored
     BOOST_TEST(problem.warnings.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_margin_of_the_deflection_keeps_both_surfaces_clear) {
+    const Problem problem = read(kSpatial + "[clearway]\ndeflection = 0.05\nmargin = deflection\n");
+    BOOST_TEST(problem.deflection == 0.05);
+    BOOST_TEST(problem.margin == 0.1);
+    BOOST_TEST(read(kSpatial + "[clearway]\ndeflection = 0.05\n").margin == 0);
+}
+
 BOOST_AUTO_TEST_CASE(missing_keys_are_named) {
     requireRefused("", {" [problem] robot is missing", "the part's mesh file"});
     requireRefused(with(kSpatial, "robot", ""), {" [problem] robot is missing", "the part's mesh file"});
@@ -171,6 +178,9 @@ BOOST_AUTO_TEST_CASE(values_that_are_no_finite_numbers_are_refused) {
 
 BOOST_AUTO_TEST_CASE(values_out_of_their_range_are_refused) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> wrong = {
+        {"[clearway]\ndeflection = -1", {"20:", "deflection is '-1'", "a number of at least 0"}},
+        {"[clearway]\nmargin = deflection",
+         {"20:", "margin is 'deflection'", "the key deflection beside it"}},
         {"[clearway]\nmargin = -1", {"20:", "margin is '-1'", "a number of at least 0"}},
         {"[clearway]\nstep = 0", {"20:", "step is '0'", "a number above 0"}},
         {"[clearway]\nrobot.scale = 0", {"20:", "robot.scale is '0'", "a number above 0"}},
@@ -210,7 +220,8 @@ BOOST_AUTO_TEST_CASE(lines_that_stand_twice_or_are_neither_section_nor_key_are_r
 BOOST_AUTO_TEST_CASE(an_unknown_key_is_an_error_in_a_file_of_clearway_for_it_may_decide_what_is_valid) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> wrong = {
         {"[clearway]\nsolids = wall\n",
-         {"20:", "solids = 'wall'", "did you mean 'solid'?", "contact.goal, contact.start, fineness, goal,"}},
+         {"20:", "solids = 'wall'", "did you mean 'solid'?",
+          "contact.goal, contact.start, deflection, fineness, goal,"}},
         {"[Clearway]\nmargin = 2\n", {"19:", "[Clearway]", "did you mean 'clearway'?", "[planner]"}},
         {"[clearwey]\nmargin = 2\n", {"19:", "did you mean"}},
         {"[planer]\n", {"19:", "did you mean"}},

@@ -59,6 +59,7 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     problem.benchmark.memoryLimit = 1e3;
     problem.benchmark.runCount = 7;
     problem.margin = 0.1;
+    problem.deflection = 0.3;
     problem.fineness = 0.7;
     problem.meshes.asOmplApp = false;
 
@@ -88,6 +89,7 @@ BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     BOOST_TEST(back.benchmark.memoryLimit.value() == 1e3);
     BOOST_TEST(back.benchmark.runCount.value() == 7);
     BOOST_TEST(back.margin == 0.1);
+    BOOST_TEST(back.deflection == 0.3);
     BOOST_TEST(back.fineness.value() == 0.7);
     BOOST_TEST(!back.meshes.asOmplApp);
 }

@@ -183,6 +183,7 @@ DescribedEnds describeEnds(const Problem& problem, ProblemScenes& scenes) {
         atStart == Kind::kTooClose)
         tellEscapes(problem, scenes);
     if (!problem.outside) describeEnd("goal", clearance, problem.goal, enclosures);
+    printRows(deflectionRows());
     return {loaded.scene.part, atStart == WhyInvalid::Kind::kCollides};
 }
 
@@ -230,6 +231,8 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
                    const std::string& picture) {
     const double widest = near.value_or(kWidestGap * boundingBox(assembly).diagonal().norm());
     std::cout << "\nPairs of parts\n";
+    tellDeflection(deflectionOf(assembly));
+    printRows(deflectionRows());
     if (componentsOf(assembly).size() < 2) printRow("parts", "one alone: there is nothing to compare");
     const auto begin = Clock::now();
     const std::vector<PartPair> pairs = pairsOf(assembly, widest);

@@ -28,6 +28,8 @@ Facts readingFacts(const Mesh& mesh, const std::string& reading) {
         kept("format", origin.format),
         kept("reading", readingWord(origin)),
         kept("unit_stated", origin.unitMetres > 0 ? Json(unitName(origin.unitMetres)) : Json()),
+        shownIf(origin.deflection > 0, {"deflection stated", readable(origin.deflection), "deflection_stated",
+                                        origin.deflection > 0 ? Json(origin.deflection) : Json()}),
         kept("up_axis_stated", origin.upAxis != 0 ? Json(std::string(1, origin.upAxis)) : Json()),
         kept("notes", origin.notes),
         shownIf(origin.ignoredFaces > 0,

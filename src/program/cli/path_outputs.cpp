@@ -57,6 +57,7 @@ Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& aud
                  {"length", shownLength(audit.length)},
                  {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
                  {"least clearance", leastClearanceOf(audit)}};
+    for (const auto& row : deflectionRows()) rows.push_back(row);
     for (const auto& row : contactRows(audit)) rows.push_back(row);
     if (!closest.partMesh.empty()) {
         rows.push_back({"there", fmt::format("{} and {}, segment {}", closest.partMesh,
@@ -178,7 +179,7 @@ bool writeSwept(const Problem& problem, const Mesh& part, const Model& model,
 void PathOutputs::require(OutputFiles& files) const {
     files.add("--report", report, {".html", ".htm"});
     files.add("--export", motion, {".glb"});
-    files.add("--swept", swept, {".stl", ".obj", ".ply", ".glb"});
+    files.add("--swept", swept, {".stl", ".obj", ".ply", ".glb", ".3mf"});
     if (swept.empty() && sweptTolerance)
         throw std::invalid_argument("--swept-tolerance is given without --swept, expected both");
 }

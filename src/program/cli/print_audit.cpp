@@ -187,6 +187,7 @@ void printAudit(const PathAudit& audit, const Scene& scene) {
     printRows(contactRows(audit));
     const SegmentAudit& closest = audit.segments[audit.closest];
     printRow("least clearance", leastClearanceOf(audit));
+    printRows(deflectionRows());
     if (!closest.partMesh.empty()) printClosest(audit);
 }
 

@@ -16,6 +16,7 @@
 #include "clearway/targets.h"
 #include "core/number.h"
 #include "core/text.h"
+#include "mesh/components.h"
 #include "program/cli/query_answers.h"
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"
@@ -235,8 +236,13 @@ int query(const Arguments& arguments) {
     files.addOrStandardOutput("--csv", given.csv);
     requireFactsFile(files);
     const PoseFile poses = readPoses(given.poses);
-    const Model part = given.trees.build(guardedLoadMesh(given.part, given.load));
-    const Model environment = given.trees.build(guardedLoadMesh(given.environment, given.load));
+    double deflection = 0;
+    const auto load = [&](const std::string& file) {
+        const Mesh mesh = guardedLoadMesh(file, given.load);
+        deflection = std::max(deflection, deflectionOf(mesh));
+        return given.trees.build(mesh);
+    };
+    const Model part = load(given.part), environment = load(given.environment);
     if (const std::string note = unitNote(part.box(), environment.box(), ""); !note.empty())
         printWarnings({note});
     const QueryRun run = ask(given.question, part, environment, poses.poses);
@@ -248,6 +254,8 @@ int query(const Arguments& arguments) {
     printRow("poses", fmt::format("{}, {} of them projected to the nearest rotation", poses.poses.size(),
                                   poses.projected));
     printFirst(given.question, run, part, environment);
+    tellDeflection(deflection);
+    printRows(deflectionRows());
     Facts statistics = answersFacts(given.question, run);
     const double rate = queriesPerSecond(run);
     statistics.push_back({"queries/s", readable(rate), "queries_per_second", toJson(rate)});

@@ -95,6 +95,12 @@ void tellProblem(const Problem& problem) {
     useUnit(problem.unit);
     facts()["problem"] = problem.file;
     facts()["unit"] = problem.unit.empty() ? Json() : Json(problem.unit);
+    tellDeflection(problem.deflection);
+}
+
+void tellDeflection(double deflection) {
+    useDeflection(deflection);
+    facts()["deflection"] = deflection > 0 ? Json(deflection) : Json();
 }
 
 Fact kept(const std::string& name, Json value) {

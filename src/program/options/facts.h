@@ -63,8 +63,11 @@ void writeFacts();
 /// For a process whose findings another one collects: writeFacts() writes none.
 void dropFacts();
 
-/// Records the problem's name and unit in the JSON; rows show the unit from now on.
+/// Records the problem's name, unit and deflection in the JSON; rows show the unit from now on.
 void tellProblem(const Problem& problem);
+
+/// Records the deflection of the meshes in the JSON, null for 0; deflectionRows() shows it from now on.
+void tellDeflection(double deflection);
 
 /// Tells the part's mesh, the obstacles (by name when rules tell them apart), the margin and the contact zones.
 void tellScene(const Scene& scene);

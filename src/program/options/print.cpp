@@ -35,6 +35,11 @@ std::string& unitInUse() {
     return unit;
 }
 
+double& deflectionInUse() {
+    static double deflection = 0;
+    return deflection;
+}
+
 /// The process's standard output once an option has claimed it.
 std::ostream& standardOutput() {
     static std::ostream stream(std::cout.rdbuf());
@@ -147,6 +152,18 @@ bool isChecked(const Scene& scene) {
 
 std::string certificateScope(const Scene& scene) {
     return isChecked(scene) ? "" : " for the triangles that assimp delivered";
+}
+
+void useDeflection(double deflection) {
+    deflectionInUse() = deflection;
+}
+
+Rows deflectionRows() {
+    const double deflection = deflectionInUse();
+    if (!(deflection > 0)) return {};
+    return {{"deflection",
+             fmt::format("{}; certified for these triangles; the surfaces may be up to 2 x {} closer",
+                         statedLength(deflection), statedLength(deflection))}};
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {
