@@ -82,6 +82,15 @@ of them. It answers problem files that OMPL.app wrote, too.
 clearway-scene makes demo scenes.")
 endif()
 
+# OpenCASCADE stays away from who has no STEP files.
+if(TARGET clearway_cad_program)
+  add_package(clearway-cad science "Makes meshes of STEP and IGES files for clearway
+The program clearway-cad makes a 3MF file of a STEP or IGES file with
+OpenCASCADE: a named mesh for each part of an assembly, in its place, in
+double. `clearway init` calls it where it is installed.")
+  set(CPACK_DEBIAN_CLEARWAY-CAD_PACKAGE_SUGGESTS clearway-tools)
+endif()
+
 if(CLEARWAY_PYTHON)
   find_package(Python3 COMPONENTS Interpreter QUIET)
   set(libraries libclearway)

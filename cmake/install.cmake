@@ -90,13 +90,20 @@ if(CLEARWAY_PROGRAM)
     list(APPEND names clearway-scene)
   endif()
   install(TARGETS ${programs} COMPONENT clearway-tools)
+  if(TARGET clearway_cad_program)
+    install(TARGETS clearway_cad_program COMPONENT clearway-cad)
+    install(FILES ${PROJECT_BINARY_DIR}/manual/man1/clearway-cad.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT clearway-cad)
+    list(APPEND programs clearway_cad_program)
+    list(APPEND names clearway-cad)
+  endif()
   set(manual ${PROJECT_BINARY_DIR}/manual)
   add_custom_command(OUTPUT ${manual}/done VERBATIM
                      COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:clearway_program> "-DNAMES=${names}" -DOUT=${manual}
                              -P ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake
                      DEPENDS ${programs} ${CMAKE_CURRENT_LIST_DIR}/write_manual.cmake)
   add_custom_target(clearway_manual ALL DEPENDS ${manual}/done)
-  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT clearway-tools)
+  install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT clearway-tools PATTERN clearway-cad.1 EXCLUDE)
+  list(REMOVE_ITEM names clearway-cad)
   foreach(name IN LISTS names)  # bash looks for a file of the program's name
     install(FILES ${manual}/completion RENAME ${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
             COMPONENT clearway-tools)

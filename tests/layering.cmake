@@ -41,11 +41,14 @@ set(program/bench_may_include core mesh model problem planning/plan)
 set(program/cli_may_include core mesh tree exact model problem program/render program/report program/options program/bench)
 set(program program/render program/report program/options program/bench program/cli)
 
+# The program clearway-cad, which alone sees OpenCASCADE.
+set(cad_may_include core mesh program/options)
+
 # The scenes and the study, which no other room includes. A scene has a preview, drawn as `clearway render` does.
 set(demos/scenes_may_include core mesh problem program/render program/report program/options program/cli)
 set(demos/study_may_include core mesh model problem planning/plan program/options program/bench program/cli demos/scenes)
 set(demos demos/scenes demos/study)
-set(layers ${library} ${planning} ${program} ${demos})
+set(layers ${library} ${planning} ${program} cad ${demos})
 
 # The room of planning that holds each public planning header's source: including the header counts as including the room.
 set(space_headers ompl_messages.h state_to_pose.h shared_scene.h se3_space.h displacement_bound.h outside_goal.h valid_state_samplers.h)
@@ -151,6 +154,8 @@ function(judge_library file target rule_variable)
   string(REGEX MATCH "^[^/]*" library "${target}")
   if(library IN_LIST guarded_libraries AND NOT file MATCHES "${${library}_users}")
     set(rule "only files that match ${${library}_users} may see ${library}")
+  elseif(target MATCHES "[.]hxx$" AND NOT file MATCHES "^src/cad/")
+    set(rule "only src/cad may see OpenCASCADE")
   endif()
   set(${rule_variable} "${rule}" PARENT_SCOPE)
 endfunction()
@@ -180,7 +185,7 @@ function(check_file file)
     endif()
   endforeach()
   # Embree's failures are nobody's fault. The program's errors are its own.
-  if(file MATCHES "^(src|include)/" AND NOT file MATCHES "^src/(program/|build/split/embree[.]cpp$)")
+  if(file MATCHES "^(src|include)/" AND NOT file MATCHES "^src/(program/|cad/|build/split/embree[.]cpp$)")
     string(REGEX MATCH "\n[^\n]*throw std::(invalid_argument|runtime_error)[(][^\n]*" directive "\n${text}")
     if(directive)
       refuse("${file}" "${directive}" "the library throws the types of clearway/errors.h")

@@ -56,6 +56,7 @@ expect_refusal(src/planning/check/x.cpp "#include \"clearway/planning/simplify.h
 expect_refusal(src/model/x.cpp "#include <hwy/highway.h>" "only files that match")
 expect_refusal(src/model/x.cpp "#include \"hwy/highway.h\"" "only files that match")
 expect_refusal(src/mesh/clean.cpp "#include <assimp/scene.h>" "only files that match")
+expect_refusal(src/mesh/x.cpp "#include <gp_Pnt.hxx>" "only src/cad may see OpenCASCADE")
 expect_refusal(src/model/x.cpp "#include <ompl/base/State.h>" "only files that match")
 expect_refusal(include/clearway/x.h "#include <ompl/base/State.h>" "only files that match")
 expect_refusal(include/clearway/x.h "#include <nlohmann/json_fwd.hpp>" "only files that match")

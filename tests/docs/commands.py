@@ -12,7 +12,7 @@ import tempfile
 
 SECONDS = 3600  # for one command
 TOOLS = ("clearway-scene", "clearway-study")  # programs without subcommands
-KNOWN = "clearway, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/dev and scripts below tests, and mpirun -n N before any of them"
+KNOWN = "clearway, clearway-cad, clearway-scene, clearway-study, ./demos/run, ./tests/run, cmake, ctest, export, sed, programs below build/dev and scripts below tests, and mpirun -n N before any of them"
 
 
 class Refused(Exception):
@@ -168,6 +168,9 @@ class Checker:
             self.clearway(rest)
         elif name in TOOLS:
             self.require_options(rest, self.tool_options(name) | {"--version"}, name)
+        elif name == "clearway-cad":  # built where OpenCASCADE is found
+            if self.program.with_name(name).exists():
+                self.require_options(rest, self.tool_options(name) | {"--version"}, name)
         elif name in ("./demos/run", "demos/run"):
             self.demos_run(rest)
         elif name in ("./tests/run", "tests/run"):

@@ -204,7 +204,7 @@ def files_below(folder):
 
 def check_components(build, prefix, work):
     """Each file belongs to one component; programs that use the library alone need one library."""
-    names = ("libclearway", "libclearway-planning", "libclearway-dev", "clearway-tools", "python3-clearway")
+    names = ("libclearway", "libclearway-planning", "libclearway-dev", "clearway-tools", "clearway-cad", "python3-clearway")
     files = {}
     for name in names:
         folder = os.path.join(work, "components", name)

@@ -1,5 +1,6 @@
 #include "program/options/load_guard.h"
 
+#include <fmt/format.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -35,9 +36,9 @@ extern "C" void endProgram(int signal) {
     ::_exit(kBadInput);
 }
 
-std::string lineAbout(const std::string& file, const std::string& fault) {
-    return oneLine("clearway: cannot read mesh '" + file + "': the reader (assimp) " + fault +
-                   ", expected a sound mesh file") +
+std::string lineAbout(const std::string& file, const GuardedReader& reader, const std::string& fault) {
+    return oneLine(fmt::format("{}: cannot read {} '{}': the reader ({}) {}, expected a sound file",
+                               reader.program, reader.kind, file, reader.library, fault)) +
            "\n";
 }
 
@@ -45,9 +46,11 @@ Sink sink;
 
 }  // namespace
 
-LoadGuard::LoadGuard(const std::string& file, int seconds) : stack_(kStackBytes) {
-    crashLine = lineAbout(file, "crashed");
-    overtimeLine = lineAbout(file, "had not ended after " + std::to_string(seconds) + " s of computing");
+LoadGuard::LoadGuard(const std::string& file, int seconds, const GuardedReader& reader)
+    : stack_(kStackBytes) {
+    crashLine = lineAbout(file, reader, "crashed");
+    overtimeLine =
+        lineAbout(file, reader, "had not ended after " + std::to_string(seconds) + " s of computing");
     std::cout.flush();  // _exit would lose the buffered output
     out_ = std::cout.rdbuf(&sink);
     err_ = std::cerr.rdbuf(&sink);

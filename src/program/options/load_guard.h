@@ -1,4 +1,4 @@
-// Protects the program from the library that reads mesh files: assimp crashes on some damaged files, never
+// Protects programs from the library that reads their files: assimp crashes on some damaged files, never
 // ends on others, and writes to the standard streams.
 #pragma once
 
@@ -11,13 +11,20 @@
 
 namespace clearway::cli {
 
+/// Who reads what: "clearway: cannot read mesh 'FILE': the reader (assimp) crashed".
+struct GuardedReader {
+    const char* program = "clearway";
+    const char* kind = "mesh";
+    const char* library = "assimp";
+};
+
 /// While a LoadGuard lives, the program ends with exit code 2 and one line on stderr that names the file, if
 /// it crashes (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, also from a full stack) or takes more than `seconds`
 /// of processor time. Output to std::cout and std::cerr is dropped. A guard protects the thread that makes
 /// it; only one guard may live at a time. The destructor restores handlers, timer and streams.
 class LoadGuard {
   public:
-    LoadGuard(const std::string& file, int seconds);
+    LoadGuard(const std::string& file, int seconds, const GuardedReader& reader = {});
     ~LoadGuard();
     LoadGuard(const LoadGuard&) = delete;
     LoadGuard& operator=(const LoadGuard&) = delete;

@@ -1,0 +1,175 @@
+#include "cad/cad_file.h"
+
+#include <fmt/format.h>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESToBRep.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <stdexcept>
+
+#include "core/text.h"
+
+namespace clearway::cad {
+namespace {
+
+constexpr double kSewn = 1e-3;  ///< mm; by as much the edges of loose faces may differ
+
+[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+    throw std::runtime_error(quote(file) + ": " + reason);
+}
+
+/// The label's name, on one line; empty without one.
+std::string nameOf(const TDF_Label& label) {
+    Handle(TDataStd_Name) attribute;
+    if (!label.FindAttribute(TDataStd_Name::GetID(), attribute)) return "";
+    std::string name = TCollection_AsciiString(attribute->Get()).ToCString();
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    return std::string(trimmed(name));
+}
+
+/// Whether a program made the name of an instance up: "=>[0:1:1:2]", "NAUO12" or "3".
+bool isMadeUp(const std::string& name) {
+    const std::string rest = name.substr(boost::istarts_with(name, "nauo") ? 4 : 0);
+    return boost::starts_with(name, "=>") || rest.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Adds the parts below a label, which is placed in an assembly of that name.
+void addParts(CadFile& file, const TDF_Label& label, const TopLoc_Location& X_fileOuter,
+              const std::string& outer) {
+    TDF_Label definition = label;
+    std::string name = nameOf(label);
+    const bool isPlaced = XCAFDoc_ShapeTool::GetReferredShape(label, definition);
+    if (isPlaced && isMadeUp(name)) name = nameOf(definition);
+    const TopLoc_Location place =
+        isPlaced ? X_fileOuter * XCAFDoc_ShapeTool::GetLocation(label) : X_fileOuter;
+    if (XCAFDoc_ShapeTool::IsAssembly(definition)) {
+        TDF_LabelSequence children;
+        XCAFDoc_ShapeTool::GetComponents(definition, children);
+        // The name of the whole would stand before each part.
+        const std::string inner = isPlaced && !name.empty() ? outer + name + "/" : outer;
+        for (const TDF_Label& child : children) addParts(file, child, place, inner);
+        return;
+    }
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(definition);
+    if (TopExp_Explorer(shape, TopAbs_FACE).More()) {
+        file.parts.push_back({name.empty() ? "" : outer + name, shape, place.Transformation()});
+    } else {
+        ++file.withoutFaces;
+    }
+}
+
+/// Refuses a file that is not whole, or of which an element was not translated.
+template <class Reader>
+void requireWhole(Reader& reader, const std::string& file) {
+    const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
+    const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+    for (int i = 1; i <= model->GlobalCheck()->NbFails(); ++i) {
+        const std::string fault = model->GlobalCheck()->CFail(i);
+        if (fault.find(" for file_") == fault.npos)  // which is the header: who wrote the file, and when
+            refuse(file, "it is damaged: " + fault);
+    }
+    int damaged = 0, lost = 0, faces = 0;
+    const auto count = [&](bool isSurface, const Handle(Standard_Transient) & entity) {
+        faces += isSurface;
+        lost += isSurface && TransferBRep::ShapeResult(process, entity).IsNull();
+    };
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        damaged += model->IsErrorEntity(i);
+        count(model->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface)), model->Value(i));
+    }
+    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) {
+        const auto iges = Handle(IGESData_IGESEntity)::DownCast(reader.RootForTransfer(i));
+        count(!iges.IsNull() && (IGESToBRep::IsTopoSurface(iges) || IGESToBRep::IsBRepEntity(iges)), iges);
+    }
+    if (damaged + lost > 0)
+        refuse(file,
+               fmt::format(
+                   "{} of its {} entities are damaged, and OpenCASCADE loses {} of {} faces, expected none",
+                   damaged, model->NbEntities(), lost, faces));
+}
+
+/// Reads the file into a document.
+template <class Reader>
+void readInto(Handle(TDocStd_Document) & document, Reader& reader, const std::string& file) {
+    reader.SetNameMode(true);
+    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+        refuse(file, "it is damaged, or of another format");
+    if (reader.NbRootsForTransfer() == 0 || !reader.Transfer(document)) refuse(file, "it holds no shape");
+}
+
+/// One part of all parts that have no solid: programs without solids write each face by itself.
+void sewLooseFaces(CadFile& file) {
+    const auto isSolid = [](const CadPart& part) { return TopExp_Explorer(part.shape, TopAbs_SOLID).More(); };
+    const auto loose = std::stable_partition(file.parts.begin(), file.parts.end(), isSolid);
+    if (loose == file.parts.end()) return;
+    const std::string name = file.parts.end() - loose == 1 ? loose->name : "";
+    BRepBuilderAPI_Sewing sewing(kSewn);
+    for (auto part = loose; part != file.parts.end(); ++part)
+        sewing.Add(part->shape.Moved(TopLoc_Location(part->X_filePart)));
+    sewing.Perform();
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    for (TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL); shells.More(); shells.Next()) {
+        TopoDS_Solid solid;
+        builder.MakeSolid(solid);
+        builder.Add(solid, shells.Current());
+        BRepLib::OrientClosedSolid(solid);  // an open one stays as it is
+        builder.Add(compound, solid);
+    }
+    for (TopExp_Explorer faces(sewing.SewedShape(), TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+        builder.Add(compound, faces.Current());
+    file.parts.erase(loose, file.parts.end());
+    file.parts.push_back({name, compound, gp_Trsf()});
+}
+
+}  // namespace
+
+CadFile readCadFile(const std::string& file) {
+    const bool isIges = boost::iends_with(file, ".iges") || boost::iends_with(file, ".igs");
+    if (!isIges && !boost::iends_with(file, ".step") && !boost::iends_with(file, ".stp"))
+        refuse(file, "expected a name that ends in .step, .stp, .iges or .igs");
+    CadFile result;
+    Handle(TDocStd_Document) document;
+    XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+    if (isIges) {
+        IGESCAFControl_Reader reader;
+        readInto(document, reader, file);
+        requireWhole(reader, file);
+    } else {
+        STEPCAFControl_Reader reader;
+        readInto(document, reader, file);
+        requireWhole(reader.ChangeReader(), file);
+        TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+        reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
+        if (!lengths.IsEmpty()) result.unit = lengths.First().ToCString();
+    }
+    TDF_LabelSequence roots;
+    XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
+    for (const TDF_Label& root : roots) addParts(result, root, {}, "");
+    if (isIges) sewLooseFaces(result);
+    if (result.parts.empty()) refuse(file, "it holds no face, expected a part with a surface");
+    return result;
+}
+
+}  // namespace clearway::cad
