@@ -42,9 +42,14 @@ void requireReadableMeshFile(const std::string& file) {
     if (bytes == 0) refuseMeshFile(file, "it is empty");
     const std::string format = surfaceFormat(stream);
     if (!format.empty()) {
-        throw FileError("cannot read mesh '" + file + "': it is " + format +
-                        ", which holds surfaces, not triangles, expected a mesh: export STL, OBJ, 3MF or "
-                        "glTF from the CAD program");
+        const bool isExchanged = format == "a STEP file" || format == "an IGES file";
+        const std::string mesh = std::filesystem::path(file).replace_extension(".3mf").string();
+        throw FileError(
+            "cannot read mesh '" + file + "': it is " + format +
+            ", which holds surfaces, not triangles, expected a mesh: " +
+            (isExchanged ? fmt::format("clearway-cad '{}' --out '{}' makes one, or ", file, mesh) : "") +
+            "export STL, OBJ, 3MF or "
+            "glTF from the CAD program");
     }
 }
 

@@ -21,6 +21,7 @@
 #include "problem/obstacle_rules.h"
 #include "problem/start_remedies.h"
 #include "program/cli/enclosure.h"
+#include "program/cli/from_cad.h"
 #include "program/cli/lift.h"
 #include "program/cli/overlaps.h"
 #include "program/options/facts.h"
@@ -43,6 +44,7 @@ struct InitArguments {
     std::string part, out;
     std::vector<std::string> environment;
     std::vector<std::string> partNames;  ///< of --part; the first file is then an assembly
+    Rows made{};                         ///< meshes of STEP and IGES files
 };
 
 /// Makes the first file with a part named the part's, and all files the environment's, but for one that moves alone and as a whole. Keeps the
@@ -94,6 +96,9 @@ bool readArguments(const Arguments& words, InitArguments& given) {
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
     addJson(line);
     if (!line.parse(words)) return false;
+    std::vector<std::string*> meshes = {&given.part};
+    for (std::string& file : given.environment) meshes.push_back(&file);
+    given.made = makeMeshesOfCad(meshes, given.out);
     if (!given.partNames.empty()) {
         takePartsOut(given);
     } else if (given.environment.empty()) {
@@ -195,8 +200,9 @@ struct Seen {
     std::vector<std::string> touched;
     std::vector<StartRemedy> remedies;  ///< of what is touched
     std::optional<FarSide> farSide;     ///< of the surroundings, when the part starts outside of them
-    std::string unit;  ///< that all files state; empty when one of them states none, or another
-    bool isTurned;     ///< whether assimp turned a mesh
+    std::string unit;       ///< that all files state; empty when one of them states none, or another
+    bool isTurned;          ///< whether assimp turned a mesh
+    double deflection = 0;  ///< the largest that a file states
 };
 
 /// The unit that all of the meshes state, as problem files name it.
@@ -271,7 +277,13 @@ std::string textOf(const InitArguments& given, const Seen& seen) {
     } else {
         text.choice("outside", "+z", "on this side only; +x, -x, +y, -y, +z or -z");
     }
-    text.line("margin", "0", "distance to keep from everything");
+    const bool hasDeflection = seen.deflection > 0;
+    text.line("margin", "0",
+              std::string("distance to keep from everything") +
+                  (hasDeflection ? "; the word deflection: 2 x deflection, once for each surface" : ""));
+    if (hasDeflection)
+        text.line("deflection", shortNumber(seen.deflection),
+                  "how far triangles may be from the CAD surfaces, as the files say");
     if (!seen.touched.empty()) {
         text.comment(
             "The part touches other meshes at its start. If they are assembled so, choose one of these:");
@@ -295,6 +307,7 @@ int init(const Arguments& words) {
     OutputFiles files(inputs);
     files.add("--out", given.out, {".cfg"});
     requireFactsFile(files);
+    printRows(given.made);
 
     Problem problem;
     problem.meshes.asOmplApp = false;
@@ -314,6 +327,7 @@ int init(const Arguments& words) {
     seen.unit = commonUnit(meshes);
     seen.isTurned = std::any_of(meshes.begin(), meshes.end(),
                                 [](const Mesh& mesh) { return !turnedByAssimp(mesh.origin).empty(); });
+    for (const Mesh& mesh : meshes) seen.deflection = std::max(seen.deflection, deflectionOf(mesh));
     const Fact partFact = meshFact("part", part), environmentFact = meshFact("environment", environment);
     seen.part = partFact.shown;
     seen.environment = environmentFact.shown;
@@ -335,8 +349,10 @@ int init(const Arguments& words) {
     for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
     tell({kept("problem", given.out), partFact, environmentFact, kept("touched_at_start", seen.touched)});
+    tellDeflection(seen.deflection);
     if (seen.touched.empty()) {
         printRow("start", clearanceAtStart(scene));
+        printRows(deflectionRows());
         if (const std::string note = EnclosureNotes(scenes.meshes()).at({}); !note.empty())
             printWarnings({"at the start " + note});
     } else {

@@ -49,6 +49,8 @@ constexpr Topic kTopics[] = {
   overlap, overlap.NAME        how deep obstacles may reach into the part, an open part into them (0)
   ignore, solid = NAME, ...    obstacles to leave out; obstacles whose inside is not free
   contact.start = NAME, D      ignored near the start; contact.goal: near the goal
+  deflection                   how far the triangles may be from the CAD surfaces: shown beside clearances (0);
+                               margin = deflection keeps both surfaces clear, 2 x as far
   fineness                     how fine the scene is: planners' edges are 20 times as long
 
 [planner], [benchmark]         as in OMPL.app's files
@@ -56,8 +58,9 @@ constexpr Topic kTopics[] = {
     {"formats",
      R"(Formats of files.
 
-Meshes     stl, obj, ply, off, 3mf, glb, gltf and dae; others are read by assimp alone, and not checked. STEP, IGES
-           and CAD programs' own files hold surfaces, not triangles: export one of these.
+Meshes     stl, obj, ply, off, 3mf, glb, gltf and dae; others are read by assimp alone, and not checked. STEP and
+           IGES files become 3MF files by the program clearway-cad; CAD programs' own files hold surfaces, not
+           triangles: export one of these.
 Problems   .cfg, as OMPL.app's, with a section [clearway]: clearway help keys
 Paths      one state a line: x y z qx qy qz qw, the quaternion's w last (SE(2): x y yaw, radians)
 Poses      one a line: x y z qx qy qz qw, or 12 numbers: the rotation's rows and the translation of each

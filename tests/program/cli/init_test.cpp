@@ -62,6 +62,36 @@ BOOST_AUTO_TEST_CASE(init_sends_a_part_that_starts_outside_to_the_far_side) {
     BOOST_TEST(holds(row(above, "goal"), "outside on -z", "starts outside on +z"), above.out);
 }
 
+BOOST_AUTO_TEST_CASE(the_deflection_of_the_files_is_shown_beside_every_clearance) {
+    const MeshFolder folder;
+    Mesh block = named(box({1, 1, 1}), "block", {20, 0, 1.5});
+    block.components[0].deflection = 0.02;
+    saveMesh(block, folder.file("block.3mf"));
+    Mesh floor = named(box({3, 3, 1}), "floor", {20, 0, -1});
+    floor.components[0].deflection = 0.05;
+    saveMesh(floor, folder.file("floor.3mf"));
+    const std::string says = "0.05; certified for these triangles; the surfaces may be up to 2 x 0.05 closer";
+    const Outcome made = runIn(folder, "init block.3mf floor.3mf --out p.cfg");
+    BOOST_TEST(row(made, "deflection") == says);
+    BOOST_TEST(readProblem(folder.file("p.cfg")).deflection == 0.05);
+    BOOST_TEST(row(runIn(folder, "info p.cfg"), "deflection") == says);
+    BOOST_TEST(row(runIn(folder, "plan p.cfg --path o.path --quick --iterations 5000"), "deflection") ==
+               says);
+    BOOST_TEST(row(runIn(folder, "check p.cfg o.path"), "deflection") == says);
+    BOOST_TEST(factsOf(folder, "check p.cfg o.path")["deflection"] == 0.05);
+    folder.write("poses", "0 0 0 0 0 0 1\n");
+    const std::string query = "query --part block.3mf --environment floor.3mf --poses poses --query distance";
+    BOOST_TEST(row(runIn(folder, query), "deflection") == says);
+    const Outcome mesh = runIn(folder, "info block.3mf");
+    BOOST_TEST(row(mesh, "deflection stated") == "0.02", mesh.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_file_is_refused_with_the_command_that_makes_a_mesh) {
+    const MeshFolder folder;
+    folder.write("part.step", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n");
+    requireRefused(folder, "info part.step", {"clearway-cad 'part.step' --out 'part.3mf'"});
+}
+
 /// Lines of choice stand in comments: each counts once its "# " is taken out.
 BOOST_AUTO_TEST_CASE(lines_of_choice_that_init_writes_can_be_switched_on) {
     const MeshFolder folder;
