@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(solids_come_back_closed_with_name_volume_unit_and_deflectio
 
 BOOST_AUTO_TEST_CASE(faces_of_an_iges_file_without_solids_are_sewn) {
     const TemporaryFolder folder;
-    const NamedSolid solid = {"block", cutBlock()};
+    const NamedSolid solid = {"block", boxSolid(30, 20, 10)};
     writeIges(folder.file("a.iges"), solid, false);
     const Mesh mesh = converted(folder, "a.iges");
     BOOST_TEST(mesh.components.size() == 1u);
@@ -145,12 +145,15 @@ BOOST_AUTO_TEST_CASE(damaged_files_end_in_one_line) {
     for (const double share : {0.2, 0.5, 0.9, 0.99})
         folder.write("cut.step", whole.substr(0, static_cast<std::size_t>(share * double(whole.size())))),
             requireRefused(folder, "cut.step --out o.3mf", {"'cut.step'"}, kCad);
+    std::string edgeless = whole;
+    edgeless.insert(edgeless.find("EDGE_CURVE"), "X");
+    folder.write("edgeless.step", edgeless);
     std::string faceless = whole;
     const std::size_t face = faceless.find("ADVANCED_FACE");
     const std::size_t id = faceless.rfind('#', face);
     faceless.erase(id, faceless.find(';', face) + 1 - id);
     folder.write("faceless.step", faceless);
-    for (const std::string file : {"empty", "garbage", "text", "bare", "missing", "faceless"})
+    for (const std::string file : {"empty", "garbage", "text", "bare", "missing", "faceless", "edgeless"})
         requireRefused(folder, file + ".step --out o.3mf", {"'" + file + ".step'"}, kCad);
     folder.write("garbage.igs", std::string(5000, 'x'));
     requireRefused(folder, "garbage.igs --out o.3mf", {"'garbage.igs'"}, kCad);
