@@ -55,7 +55,7 @@ bool isMadeUp(const std::string& name) {
     return boost::starts_with(name, "=>") || rest.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// Adds the parts below a label, which is placed in an assembly of that name.
+/// Adds the parts below a label. outer: names the assemblies around it, but for the whole.
 void addParts(CadFile& file, const TDF_Label& label, const TopLoc_Location& X_fileOuter,
               const std::string& outer) {
     TDF_Label definition = label;
@@ -67,17 +67,14 @@ void addParts(CadFile& file, const TDF_Label& label, const TopLoc_Location& X_fi
     if (XCAFDoc_ShapeTool::IsAssembly(definition)) {
         TDF_LabelSequence children;
         XCAFDoc_ShapeTool::GetComponents(definition, children);
-        // The name of the whole would stand before each part.
         const std::string inner = isPlaced && !name.empty() ? outer + name + "/" : outer;
         for (const TDF_Label& child : children) addParts(file, child, place, inner);
         return;
     }
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(definition);
-    if (TopExp_Explorer(shape, TopAbs_FACE).More()) {
-        file.parts.push_back({name.empty() ? "" : outer + name, shape, place.Transformation()});
-    } else {
-        ++file.withoutFaces;
-    }
+    const bool hasFace = TopExp_Explorer(shape, TopAbs_FACE).More();
+    file.withoutFaces += !hasFace;
+    if (hasFace) file.parts.push_back({name.empty() ? "" : outer + name, shape, place.Transformation()});
 }
 
 /// Refuses a file that is not whole, or of which an element was not translated.
@@ -127,17 +124,19 @@ void sewLooseFaces(CadFile& file) {
     for (auto part = loose; part != file.parts.end(); ++part)
         sewing.Add(part->shape.Moved(TopLoc_Location(part->X_filePart)));
     sewing.Perform();
+    const TopoDS_Shape sewn = sewing.SewedShape();
     TopoDS_Compound compound;
     BRep_Builder builder;
     builder.MakeCompound(compound);
-    for (TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL); shells.More(); shells.Next()) {
+    for (TopExp_Explorer shells(sewn, TopAbs_SHELL); shells.More(); shells.Next()) {
         TopoDS_Solid solid;
         builder.MakeSolid(solid);
         builder.Add(solid, shells.Current());
         BRepLib::OrientClosedSolid(solid);  // an open one stays as it is
         builder.Add(compound, solid);
     }
-    for (TopExp_Explorer faces(sewing.SewedShape(), TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+    TopExp_Explorer faces(sewn, TopAbs_FACE, TopAbs_SHELL);
+    for (; sewn.ShapeType() != TopAbs_SHELL && faces.More(); faces.Next())
         builder.Add(compound, faces.Current());
     file.parts.erase(loose, file.parts.end());
     file.parts.push_back({name, compound, gp_Trsf()});

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
 
 #include "cad/cad_file.h"

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "mesh/components.h"
 
@@ -60,7 +61,8 @@ Mesh tessellate(const CadFile& file, std::optional<double> deflection, const std
     for (const CadPart& part : file.parts) {
         Bnd_Box box;
         BRepBndLib::Add(part.shape, box, false);
-        const double ofPart = deflection.value_or(kUsualDeflection * std::sqrt(box.SquareExtent()));
+        const double ofPart =
+            deflection.value_or(towardsZero(kUsualDeflection * std::sqrt(box.SquareExtent()), 3));
         BRepMesh_IncrementalMesh(part.shape, ofPart, false, kAngle, true);
         const std::size_t first = mesh.triangles.size();
         VertexNumbers numbers;
