@@ -303,6 +303,16 @@ def test_the_documents_code_runs(tmp_path, monkeypatch, capsys):
     assert "True True True" in capsys.readouterr().out  # what the piece about `check` prints
 
 
+def test_the_code_beside_trimesh_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    prepare_documents(tmp_path)
+    pieces = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "coming_from.md").read_text(), re.S)
+    after, = [piece for piece in pieces if "distance_batch" in piece]
+    names = {"poses": [place(3), place(4)]}
+    exec(after, names)
+    assert names["all_distances"][1] == names["distance"] == pytest.approx(2.5) and not names["touches"]
+
+
 def test_the_example_draws_a_picture(tmp_path):
     pytest.importorskip("matplotlib", reason="matplotlib is not installed")
     pytest.importorskip("clearway.planning", reason="clearway was built without OMPL")
