@@ -1,5 +1,7 @@
 // Reads .cfg files: [problem], [benchmark] and [planner] as OMPL.app's benchmark program does, and clearway's
 // own [clearway].
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
@@ -132,7 +134,7 @@ double readAngle(ConfigValues& values, const std::string& state, bool isClearway
                       "this key in the section [clearway], or [problem] " + state + ".theta in radians");
     const double angle = values.requiredNumber(theta, expected);
     if (std::abs(angle) <= 2 * M_PI * (1 + kTurnRounding)) return angle;
-    const std::string asDegrees = roundedNumber(angle * M_PI / 180);
+    const std::string asDegrees = fmt::format("{:.8g}", angle * M_PI / 180);
     if (isClearways) {
         values.refuse(theta, "radians, at most 2 pi (if these are degrees: " + asDegrees +
                                  ", or [clearway] " + state + ".degrees = " + shortNumber(angle) + ")");
