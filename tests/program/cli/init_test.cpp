@@ -160,6 +160,14 @@ BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_a
     }
 }
 
+BOOST_AUTO_TEST_CASE(the_metres_of_glb_files_are_kept) {
+    const MeshFolder folder;
+    for (const std::string name : {"block", "rest"})
+        saveMesh(loadMesh(folder.file(name + ".obj")), folder.file(name + ".glb"));
+    runIn(folder, "init block.glb rest.glb --out p.cfg");
+    BOOST_TEST(readProblem(folder.file("p.cfg")).unit == "m");
+}
+
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
