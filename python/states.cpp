@@ -27,6 +27,11 @@ const char* nameOf(SweepVerdict verdict) {
     return "undecided";
 }
 
+/// What Python gets of an answer: the verdict's name, and the time until which the motion is free.
+std::pair<const char*, double> followed(const MotionAnswer& answer) {
+    return {nameOf(answer.verdict), answer.certifiedUntil};
+}
+
 }  // namespace
 
 void bindStates(py::module_& module) {
@@ -60,6 +65,20 @@ void bindStates(py::module_& module) {
         WithoutGil(),
         R"(Certifies both states and all poses that OMPL's SE(2) interpolates between them. Returns "certified", "contact" or
 "undecided".)");
+    module.def(
+        "follow_se3_motion",
+        [](const PyScene& scene, double x1, double y1, double z1, double qx1, double qy1, double qz1,
+           double qw1, double x2, double y2, double z2, double qx2, double qy2, double qz2, double qw2) {
+            return followed(followSe3Motion(scene.clearance, {{x1, y1, z1}, {qw1, qx1, qy1, qz1}},
+                                            {{x2, y2, z2}, {qw2, qx2, qy2, qz2}}));
+        },
+        WithoutGil(), R"(certify_se3_motion, and the time until which the motion is free: 1 for all of it.)");
+    module.def(
+        "follow_se2_motion",
+        [](const PyScene& scene, double x1, double y1, double yaw1, double x2, double y2, double yaw2) {
+            return followed(followSe2Motion(scene.clearance, {x1, y1, yaw1}, {x2, y2, yaw2}));
+        },
+        WithoutGil(), R"(certify_se2_motion, and the time until which the motion is free: 1 for all of it.)");
 }
 
 }  // namespace clearway::python

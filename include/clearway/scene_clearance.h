@@ -380,6 +380,10 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
 /// turns the shorter way.
 SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
 
+/// Certifies in the same way, and finds how far the motion is free where it is not free as a whole.
+MotionAnswer followSe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to);
+MotionAnswer followSe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
+
 /// A proof that no path joins two poses: one lies inside a closed surface, and the other does not.
 struct ShutIn {
     std::string obstacle;  ///< the name of the surface's component, else of its file

@@ -92,8 +92,8 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
     When checkMotion returns True, both states and all poses between them are within the bounds, and valid as ValidityChecker
     has it. A motion that is too close to a margin to tell is answered False.
 
-    OMPL's bindings have no place for the counts and for lastValid: OMPL's own C++ counters stay 0, while the getters here
-    answer in Python, and C++ planners that ask for the last valid state get False and their own default.
+    OMPL's bindings have no place for the counts: OMPL's own C++ counters stay 0, while the getters here answer in Python. Bindings
+    that do not call checkMotionWithLastValid give C++ planners that ask for the last valid state False and their own default.
     """
 
     def __init__(self, si: Any, scene: Scene) -> None:
@@ -105,30 +105,51 @@ class MotionValidator(_base.MotionValidator):  # type: ignore[misc]
         self._scene = _require_scene(scene)
         bound = _class_of_bindings(space)
         if bound is _base.SE3StateSpace:
-            self._numbers, self._certify = _numbers_of_se3, _core.certify_se3_motion
+            self._numbers, self._certify, self._follow = _numbers_of_se3, _core.certify_se3_motion, _core.follow_se3_motion
         elif bound is _base.SE2StateSpace:
-            self._numbers, self._certify = _numbers_of_se2, _core.certify_se2_motion
+            self._numbers, self._certify, self._follow = _numbers_of_se2, _core.certify_se2_motion, _core.follow_se2_motion
         else:
             raise ArgumentError(
                 "the motions of state space '%s' (%s) are unknown, expected SE3StateSpace or SE2StateSpace"
                 % (space.getName(), bound.__name__)
             )
+        self._interpolate, self._copy = space.interpolate, space.copyState
         self._valid = self._invalid = self.undecided = self.unusable = 0
         self.first_error = ""
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
         """Whether the motion from s1 to s2 is certified."""
+        return self._count(self._ask(self._certify, s1, s2))
+
+    def checkMotionWithLastValid(self, s1: Any, s2: Any, last_valid: Optional[Any]) -> Tuple[bool, float]:
+        """Whether the motion from s1 to s2 is certified, and the share of it, from s1 on, that is: (True, 1.0) leaves `last_valid` as
+        it is. Otherwise the share is below 1, and `last_valid`, unless None, becomes the state there. The share is 0, and the
+        state s1, where s1 is not valid or s2 is out of bounds. `last_valid` may be s1 or s2 itself."""
+        verdict, share = self._ask(self._follow, s1, s2) or (None, 0.0)
+        if self._count(verdict):
+            return True, 1.0
+        if last_valid is not None:
+            if share > 0:
+                self._interpolate(s1, s2, share, last_valid)
+            else:
+                self._copy(last_valid, s1)
+        return False, share
+
+    def _ask(self, core: Callable[..., Any], s1: Any, s2: Any) -> Any:
+        """What a function of the core answers about the motion; None if a state is out of bounds or cannot be judged."""
         try:
             if self._satisfies_bounds(s1) and self._satisfies_bounds(s2):
-                verdict = self._certify(self._scene, *self._numbers(s1), *self._numbers(s2))
-                if verdict == "certified":
-                    self._valid += 1
-                    return True
-                if verdict == "undecided":
-                    self.undecided += 1
+                return core(self._scene, *self._numbers(s1), *self._numbers(s2))
         except Exception as error:
             self.unusable += 1
             self.first_error = self.first_error or _warn("a motion", error)
+        return None
+
+    def _count(self, verdict: Optional[str]) -> bool:
+        if verdict == "certified":
+            self._valid += 1
+            return True
+        self.undecided += verdict == "undecided"
         self._invalid += 1
         return False
 

@@ -175,13 +175,18 @@ Pose planarPose(double x, double y, double yaw) {
     return toPose(Eigen::Quaterniond(std::cos(0.5 * yaw), 0, 0, std::sin(0.5 * yaw)), {x, y, 0});
 }
 
-/// Certifies the poses of one motion, whose second state is free. poseAt: the pose at a time, as OMPL interpolates it.
+/// How near to a contact a motion is followed, in least intervals: a planner has no use for a closer pose.
+constexpr double kContactIntervals = 100;
+
+constexpr MotionAnswer kFree{SweepVerdict::kCertified, 1, {}};
+constexpr MotionAnswer kBlockedAtStart{SweepVerdict::kContact, 0, 0.0};
+
+/// Certifies the poses of one motion, or follows it. poseAt: the pose at a time, as OMPL interpolates it.
 template <class PoseAt>
-SweepVerdict certifyPoses(const SceneClearance& clearance, const SteadyMotion& steady, const Pose& start,
-                          const Pose& end, const PoseAt& poseAt) {
+MotionAnswer certifyPoses(const SceneClearance& clearance, bool isForward, const SteadyMotion& steady,
+                          const Pose& start, const Pose& end, const PoseAt& poseAt) {
     const Scene& scene = clearance.scene();
-    if (steady.length == 0)
-        return clearance.isFree(start) ? SweepVerdict::kCertified : SweepVerdict::kContact;
+    if (steady.length == 0) return clearance.isFree(start) ? kFree : kBlockedAtStart;
     const PartMotion motion{[&](double from, double until) {
                                 const double half = 0.5 * (until - from);
                                 return steady.around(poseAt(from + half), half);
@@ -191,10 +196,26 @@ SweepVerdict certifyPoses(const SceneClearance& clearance, const SteadyMotion& s
     options.poseError = kPoseError * (scene.part.radiusAboutOrigin() + motion.length + scene.largestMargin() +
                                       std::max(start.translation.norm(), end.translation.norm()));
     options.leastInterval = std::max(defaultLeastInterval(scene), 8 * options.poseError);
-    const SweepVerdict verdict = clearance.sweep(motion, options).verdict;
-    if (verdict != SweepVerdict::kCertified || !clearance.hasSolids()) return verdict;
-    if (!clearance.isFree(start)) return SweepVerdict::kContact;
-    return clearance.stayOutsideSolids(motion, 1, options.poseError, options.leastInterval).verdict;
+    options.isForward = isForward;
+    if (isForward) options.contactInterval = kContactIntervals * options.leastInterval;
+    const SceneSweep found = clearance.sweep(motion, options);
+    const MotionAnswer answer{found.verdict, isForward ? found.certifiedUntil : 1, found.contactTime};
+    if (!isForward && found.verdict != SweepVerdict::kCertified) return answer;
+    const bool mayBeginInside = clearance.hasSolids() || answer.certifiedUntil == 0;
+    if (mayBeginInside && !clearance.isFree(start)) return kBlockedAtStart;
+    if (!clearance.hasSolids()) return answer;
+    const SolidsAlong solids =
+        clearance.stayOutsideSolids(motion, answer.certifiedUntil, options.poseError, options.leastInterval);
+    if (solids.verdict == SweepVerdict::kCertified) return answer;
+    return {solids.verdict, solids.until, solids.contactTime};
+}
+
+/// The answer about a motion whose last pose is not free.
+MotionAnswer blockedAtEnd(MotionAnswer answer) {
+    if (answer.verdict == SweepVerdict::kCertified) answer.contactTime = 1;
+    answer.verdict = SweepVerdict::kContact;
+    answer.certifiedUntil = std::min(answer.certifiedUntil, std::nextafter(1, 0));
+    return answer;
 }
 
 void requireUnitLength(const PartState& state, const char* name) {
@@ -203,11 +224,10 @@ void requireUnitLength(const PartState& state, const char* name) {
                                     state.rotation.norm()));
 }
 
-}  // namespace
-
 /// Whether OMPL leaves the turn out, and which way it turns otherwise, depends on the signs of two numbers
 /// that OMPL rounds. Where one is as small as its rounding, all that OMPL may do must be free.
-SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to) {
+MotionAnswer answerSe3(const SceneClearance& clearance, const PartState& from, const PartState& to,
+                       bool isForward) {
     requireUnitLength(from, "the first state");
     requireUnitLength(to, "the second state");
     const Vector4 first = from.rotation.coeffs(), second = to.rotation.coeffs();
@@ -215,7 +235,8 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
         return toPose(Eigen::Quaterniond(quaternion), position);
     };
     const Pose start = poseOf(from.position, first), end = poseOf(to.position, second);
-    if (!clearance.isFree(end)) return SweepVerdict::kContact;
+    const bool isEndFree = clearance.isFree(end);
+    if (!isEndFree && !isForward) return {SweepVerdict::kContact, 0, 1.0};
 
     const Vector4 products = first.cwiseProduct(second);
     const double product = products.sum(), rounding = 8 * 0x1p-53 * products.cwiseAbs().sum();
@@ -224,10 +245,13 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
     const auto positionAt = [&](double time) -> Vector3 {
         return from.position + time * (to.position - from.position);
     };
-    SweepVerdict worst = SweepVerdict::kCertified;
+    MotionAnswer worst = kFree;
     const auto add = [&](double sign, const auto& poseAt) {
         const SteadyMotion motion = se3Motion(part, from, to, sign < 0);
-        if (worst == SweepVerdict::kCertified) worst = certifyPoses(clearance, motion, start, end, poseAt);
+        if (worst.verdict != SweepVerdict::kCertified && !isForward) return;
+        const MotionAnswer one = certifyPoses(clearance, isForward, motion, start, end, poseAt);
+        if (one.certifiedUntil < worst.certifiedUntil || worst.verdict == SweepVerdict::kCertified)
+            worst = one;
     };
     const auto slerp = [&](double sign) {
         return [&, sign, theta = std::acos(std::abs(product))](double time) {
@@ -238,22 +262,45 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
     if (nearness > -rounding) {
         add(product, [&](double time) { return poseOf(positionAt(time), first); });
     }
-    if (nearness > rounding) return worst;
-    if (product >= -rounding) add(1, slerp(1));
-    if (product < 0 || (product <= rounding && rounding > 0)) add(-1, slerp(-1));
-    return worst;
+    if (nearness <= rounding) {
+        if (product >= -rounding) add(1, slerp(1));
+        if (product < 0 || (product <= rounding && rounding > 0)) add(-1, slerp(-1));
+    }
+    return isEndFree ? worst : blockedAtEnd(worst);
+}
+
+MotionAnswer answerSe2(const SceneClearance& clearance, const Vector3& from, const Vector3& to,
+                       bool isForward) {
+    const Pose start = planarPose(from.x(), from.y(), from.z()), end = planarPose(to.x(), to.y(), to.z());
+    const bool isEndFree = clearance.isFree(end);
+    if (!isEndFree && !isForward) return {SweepVerdict::kContact, 0, 1.0};
+    const PartExtent part(clearance.scene().part);
+    const double turn = shorterTurn(from, to);
+    const MotionAnswer answer =
+        certifyPoses(clearance, isForward, se2Motion(part, part.about(Vector3::UnitZ()), from, to), start,
+                     end, [&](double time) {
+                         return planarPose(from.x() + time * (to.x() - from.x()),
+                                           from.y() + time * (to.y() - from.y()), from.z() + time * turn);
+                     });
+    return isEndFree ? answer : blockedAtEnd(answer);
+}
+
+}  // namespace
+
+SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to) {
+    return answerSe3(clearance, from, to, false).verdict;
 }
 
 SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to) {
-    const Pose start = planarPose(from.x(), from.y(), from.z()), end = planarPose(to.x(), to.y(), to.z());
-    if (!clearance.isFree(end)) return SweepVerdict::kContact;
-    const PartExtent part(clearance.scene().part);
-    const double turn = shorterTurn(from, to);
-    return certifyPoses(clearance, se2Motion(part, part.about(Vector3::UnitZ()), from, to), start, end,
-                        [&](double time) {
-                            return planarPose(from.x() + time * (to.x() - from.x()),
-                                              from.y() + time * (to.y() - from.y()), from.z() + time * turn);
-                        });
+    return answerSe2(clearance, from, to, false).verdict;
+}
+
+MotionAnswer followSe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to) {
+    return answerSe3(clearance, from, to, true);
+}
+
+MotionAnswer followSe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to) {
+    return answerSe2(clearance, from, to, true);
 }
 
 }  // namespace clearway

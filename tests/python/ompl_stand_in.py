@@ -148,6 +148,11 @@ class _Bounded(StateSpace):
     def allocState(self):
         return self._state()
 
+    def copyState(self, destination, source):
+        for state in (destination, source):
+            _require(state, self._state)
+        destination._set(source._numbers())
+
     def setBounds(self, bounds):
         _require(bounds, RealVectorBounds)
         self._bounds = bounds

@@ -6,6 +6,7 @@ import math
 import pathlib
 import random
 import re
+import runpy
 import subprocess
 import sys
 import weakref
@@ -217,6 +218,47 @@ def test_thin_walls_are_seen(bindings):
     assert si.checkMotion(se3(space, -9, 6, 0), se3(space, 9, 6, 0))
     assert not si.checkMotion(se3(space, -9, 6, 0), se3(space, -9, 10.1, 0))  # out of bounds
     assert si.getMotionValidator() is validator and validator.undecided == 0
+
+
+def test_the_last_valid_state_is_certified_from_the_first_one_on(bindings):
+    scene, space, parts = cubes(), bindings.space(), 0
+    _, checker, validator = bindings.checked(space, scene)
+    for p1, q1, p2, q2 in motions(random.Random(4)):
+        s1, s2, last = se3(space, *p1, q1), se3(space, *p2, q2), se3(space, 9, 9, 9)
+        valid, fraction = validator.checkMotionWithLastValid(s1, s2, last)
+        assert valid == validator.checkMotion(s1, s2) == (fraction == 1) and 0 <= fraction <= 1
+        assert validator.checkMotionWithLastValid(s1, s2, None) == (valid, fraction)
+        if valid:
+            assert last.getX() == 9
+        elif fraction == 0:
+            assert last.getX() == s1.getX()
+        else:
+            parts += 1
+            assert checker.isValid(last) and validator.checkMotion(s1, last)
+            assert validator.checkMotionWithLastValid(s1, s2, s2) == (False, fraction) and pose_of(s2) == pytest.approx(pose_of(last))
+    assert parts > 20 and validator.unusable == 0
+
+
+def test_a_motion_is_followed_up_to_a_wall_and_no_further_than_the_bounds(bindings):
+    scene = clearway.Scene(box(1, 1, 1), [clearway.Obstacle(box(1e-6, 9, 9))])
+    for space, state in ((bindings.space(), se3), (bindings.space("SE2"), se2)):
+        def at(x, space=space, state=state):
+            return state(space, x, *[0, 0][:1 + (state is se3)])
+
+        _, _, validator = bindings.checked(space, scene)
+        last = space.allocState()
+        valid, fraction = validator.checkMotionWithLastValid(at(-9), at(9), last)
+        assert not valid and fraction == pytest.approx(8.5 / 18, abs=1e-3) and fraction < 8.5 / 18
+        assert last.getX() == pytest.approx(-9 + 18 * fraction)
+        assert validator.checkMotionWithLastValid(at(-9), at(0.2), None)[1] == pytest.approx(8.5 / 9.2, abs=1e-3)
+        assert validator.checkMotionWithLastValid(at(-9), at(-10.1), last) == (False, 0) and last.getX() == -9
+        assert validator.checkMotionWithLastValid(at(0), at(9), last) == (False, 0) and last.getX() == 0
+        assert (validator.getInvalidMotionCount(), validator.getValidMotionCount()) == (4, 0)
+
+
+def test_the_example_finds_the_wall_between_two_steps(bindings, capsys):
+    runpy.run_path(str(ROOT / "python" / "examples" / "audit_steps.py"))
+    assert "motion 2: free in steps, free up to x = -0.26" in capsys.readouterr().out
 
 
 def test_other_spaces_are_refused_by_name_or_need_a_callback(bindings):

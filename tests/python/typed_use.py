@@ -43,4 +43,6 @@ def plug_in(si: Any, scene: clearway.Scene) -> int:
     validator = clearway.ompl.MotionValidator(si, scene)
     si.setStateValidityChecker(checker)
     si.setMotionValidator(validator)
+    share: float = validator.checkMotionWithLastValid(si.allocState(), si.allocState(), None)[1]
+    assert 0 <= share <= 1
     return checker.unusable + validator.getValidMotionCount()

@@ -48,6 +48,24 @@ BOOST_AUTO_TEST_CASE(a_thin_wall_between_two_free_states_is_found) {
     BOOST_TEST((certifySe2Motion(room, {0, 0, 0}, {3.5, 0, 0.1}) == SweepVerdict::kCertified));
 }
 
+BOOST_AUTO_TEST_CASE(a_motion_is_followed_up_to_a_wall) {
+    const SceneClearance room(
+        Scene(boxModel({-1, -1, -1}, {1, 1, 1}), boxModel({5, -9, -9}, {5.0001, 9, 9})));
+    const PartState start{{0, 0, 0}}, within{{5, 0, 0}};
+    for (const double end : {4.0, 5.0, 9.0}) {  // touches, is within, is behind
+        const MotionAnswer spatial = followSe3Motion(room, start, {{end, 0, 0}});
+        const MotionAnswer planar = followSe2Motion(room, {0, 0, 0}, {end, 0, 0});
+        for (const MotionAnswer& answer : {spatial, planar}) {
+            BOOST_TEST((answer.verdict == SweepVerdict::kContact));
+            BOOST_TEST(answer.certifiedUntil < 4 / end);
+            BOOST_TEST(answer.certifiedUntil > (4 - 1e-2) / end);
+        }
+    }
+    BOOST_TEST(followSe3Motion(room, start, {{3.9, 0, 0}}).certifiedUntil == 1);
+    BOOST_TEST(followSe3Motion(room, within, start).certifiedUntil == 0);
+    BOOST_TEST(followSe3Motion(room, within, within).certifiedUntil == 0);
+}
+
 /// A post that one of the two ways from -x to +x meets.
 BOOST_AUTO_TEST_CASE(the_turn_goes_the_shorter_way) {
     const SceneClearance post(Scene(kRod, boxModel({-0.1, 2, -1}, {0.1, 2.2, 1})));
