@@ -23,7 +23,7 @@ import machine
 import own_meshes
 import tables
 from parts import FORMS, PARTS
-from place import Refused
+from place import Place, Refused
 
 MACHINE = {"cpu": "A", "cores": "2", "memory_gb": "8", "instruction_set": "avx2"}
 PART = types.SimpleNamespace(name="part", keys=("scene",), shown=("us",), is_shown=lambda row: row["scene"] != "hidden")
@@ -79,6 +79,14 @@ class Tables(unittest.TestCase):
         for part in PARTS:
             self.assertLessEqual(set(part.quick_rows), set(part.rows), part.name)
 
+    def test_each_program_is_made_once_when_it_is_named(self):
+        made = []
+        place = Place("ci", self.folder, self.folder, self.folder, make=made.append)
+        for name in ("queries", "motions"):
+            place.benchmark(name)
+        place.program("clearway-scene")
+        self.assertEqual(made, ["benchmarks", "clearway_scene_program"])
+
     def test_a_disturbed_row_is_measured_again_and_the_calmest_kept(self):
         shares = iter([0.5, 0.2, 0.4])
 
@@ -89,7 +97,7 @@ class Tables(unittest.TestCase):
         attempts = []
         part = types.SimpleNamespace(name="part", repetitions={}, spread=(), keys=("scene",), commands=lambda place, row: [],
                                      table=lambda place, row: attempts.append(row) or (["scene"], [{"scene": len(attempts)}]))
-        given = types.SimpleNamespace(form="full", build=self.folder, checkouts=None, cpu=0)
+        given = types.SimpleNamespace(form="full", build=self.folder, checkouts=None, cpu=0, make=lambda target: None)
         watch, RUN.Watch = RUN.Watch, Disturbed
         self.addCleanup(setattr, RUN, "Watch", watch)
         with contextlib.redirect_stderr(io.StringIO()) as said:

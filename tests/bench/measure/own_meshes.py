@@ -61,19 +61,16 @@ def advice_for(rows, question):
     return line + "."
 
 
-def run(given, build_programs):
+def run(given):
     part, environment = (pathlib.Path(mesh) for mesh in given.mesh)
     for file in (part, environment, pathlib.Path(given.poses)):
         if not file.exists():
             raise Refused(f"there is no file {file}")
-    if not given.build:
-        given.build = given.root / "build/dev"
-        build_programs(given)
     repetitions, budget = SIZES[given.form]
     files = ["--part", part, "--environment", environment, "--poses", given.poses]
     given.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        place = Place(given.form, given.root, given.build, pathlib.Path(scratch), cpu=given.cpu)
+        place = Place(given.form, given.root, given.build, pathlib.Path(scratch), cpu=given.cpu, make=given.make)
         common = [*files, "--repetitions", repetitions, "--cpu", place.cpu, "--peer-budget", budget, "--out", scratch]
         place.run([*place.benchmark("queries"), *common, "--build-rounds", 0])
         place.run([*place.benchmark("strategies"), *common])

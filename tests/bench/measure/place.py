@@ -1,5 +1,6 @@
 """Where a row is measured: the programs, the scratch folder, and the problems, which are made once."""
 
+import functools
 import os
 import pathlib
 import shutil
@@ -19,13 +20,16 @@ class Refused(Exception):
 
 
 class Place:
-    def __init__(self, form, root, build, scratch, checkouts=None, cpu=None):
+    def __init__(self, form, root, build, scratch, checkouts=None, cpu=None, make=lambda target: None):
+        """make: builds a target; it is asked once for each program, when that is first named."""
         self.form, self.root, self.build, self.scratch = form, root, build, scratch
         self.checkouts = checkouts
         # The last processor: the first one serves most interrupts.
         self.cpu = max(os.sched_getaffinity(0)) if cpu is None else cpu
+        self.make = functools.lru_cache(None)(make)
 
     def test_program(self, name):
+        self.make(name)
         return self.build / "tests" / name
 
     def benchmark(self, name):
@@ -33,6 +37,7 @@ class Place:
         return self.test_program("benchmarks"), name
 
     def program(self, name="clearway"):
+        self.make(name if name.startswith("demo_") else name.replace("-", "_") + "_program")
         return self.build / "bin" / name
 
     def pinned(self, *command):
