@@ -380,8 +380,11 @@ SweepVerdict certifySe3Motion(const SceneClearance& clearance, const PartState& 
 /// turns the shorter way.
 SweepVerdict certifySe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
 
-/// Certifies in the same way, and finds how far the motion is free where it is not free as a whole.
+/// Certifies as certifySe3Motion does. Where the motion is not free as a whole, it finds how far it is: up to 1e-3 of the part's
+/// diagonal before a contact; certifiedUntil is 0 where `from` is not free.
 MotionAnswer followSe3Motion(const SceneClearance& clearance, const PartState& from, const PartState& to);
+
+/// Certifies and finds in the same way, in OMPL's SE(2).
 MotionAnswer followSe2Motion(const SceneClearance& clearance, const Vector3& from, const Vector3& to);
 
 /// A proof that no path joins two poses: one lies inside a closed surface, and the other does not.
