@@ -1,6 +1,6 @@
 #include "mesh/components.h"
-#include <algorithm>
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 

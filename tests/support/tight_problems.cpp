@@ -414,7 +414,9 @@ Mesh pumpAssembly() {
     const AssembledProblem lock = bayonet("", 90, 90, 0);
     for (const auto& [name, mesh] : {std::pair("pot", &lock.environment), std::pair("lid", &lock.part)})
         add(name, 122, 3, {{mesh->vertices, mesh->triangles}});
-    return pump.mesh();
+    Mesh mesh = pump.mesh();
+    mesh.origin.unitMetres = 1e-3;
+    return mesh;
 }
 
 std::vector<AssembledProblem> tightProblems() {

@@ -5,6 +5,7 @@
 
 #include "clearway/obstacle_groups.h"
 #include "program/cli/run_program.h"
+#include "support/assembled_problems.h"
 
 namespace clearway::testing {
 
@@ -125,6 +126,27 @@ BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
     requireRefused(folder, "info empty", {"'empty' holds no mesh file", ".stl"});
     requireRefused(folder, "info parts --scale 2", {"--scale", "'parts'"});
     requireRefused(folder, "info parts --near -1", {"--near is '-1'"});
+}
+
+BOOST_AUTO_TEST_CASE(the_pump_in_data_is_as_it_is_made_and_its_parts_touch_as_described) {
+    const Mesh made = pumpAssembly(), kept = loadMesh(CLEARWAY_DATA_DIR "/pump/pump.3mf");
+    BOOST_TEST(kept.origin.unitMetres == 1e-3);
+    BOOST_TEST_REQUIRE(kept.components.size() == 12u);
+    for (std::size_t i = 0; i < 12; ++i) BOOST_TEST(kept.components[i].name == made.components[i].name);
+    BOOST_TEST_REQUIRE(kept.triangles.size() == made.triangles.size());
+    double farthest = 0;  // sines may differ by their last digits
+    for (std::size_t i = 0; i < made.triangles.size(); ++i) {
+        for (int k = 0; k < 3; ++k)
+            farthest = std::max(
+                farthest, (kept.vertices[kept.triangles[i][k]] - made.vertices[made.triangles[i][k]]).norm());
+    }
+    BOOST_TEST(farthest < 1e-4);
+    std::size_t contacts = 0;
+    for (const PartPair& pair : cli::pairsOf(kept, 0.1)) {
+        BOOST_TEST((pair.kind != PartPair::Kind::kOverlap), pair.a << " and " << pair.b);
+        contacts += pair.kind == PartPair::Kind::kContact;
+    }
+    BOOST_TEST(contacts == 3u);  // post, hub and pot stand on the base
 }
 
 }  // namespace
