@@ -1,6 +1,7 @@
 // demos/disassemble.cpp ASSEMBLY OUT [SECONDS]: takes an assembly apart, part by part. ASSEMBLY is a mesh file of several components in
-// assembled places, or a folder of mesh files. OUT gets, for each part that comes out, a problem and its path, which is certified to keep
-// clear of all parts still there, and disassembly.glb, in which they move one after the other. SECONDS (20) is the most time for a part.
+// assembled places, or a folder of mesh files. OUT gets, for each part that comes out, a problem and its path, certified among the parts
+// still there, and disassembly.glb, in which they move one after the other. SECONDS (20) is the most time for a part. Parts that touch at
+// the start may overlap, or do not count at first: each row tells how much.
 #include <clearway/animation.h>
 #include <clearway/errors.h>
 #include <clearway/obstacle_groups.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -23,8 +25,12 @@ constexpr double kOverlap = 1.34;      // of the depth of a contact; frees a fla
 constexpr double kSlack =
     0.005;  // of the part's diagonal, added to the overlap, so that the part can begin to move
 constexpr double kContact =
-    0.02;  // of the part's diagonal: how far a part moves until contacts that were ignored count
-constexpr double kShownSeconds = 3;  // that a part moves in the animation
+    0.0005;  // of the part's diagonal: how far a part moves until contacts that were ignored count
+constexpr std::size_t kLongestName = 100;  // of a part, in the names of files
+constexpr double kBeside = 0.1;            // of the part's diagonal: nearer parts stand next to it
+constexpr double kShownSeconds = 3;        // that a part moves in the animation
+
+volatile std::sig_atomic_t isStopped = 0;
 
 std::string shown(double length) {
     char text[32];
@@ -50,6 +56,7 @@ class Assembly {
         std::stable_sort(parts_.begin(), parts_.end(),
                          [&](const std::string& a, const std::string& b) { return size(a) < size(b); });
         metres_ = all.origin.unitMetres > 0 ? all.origin.unitMetres : 1;
+        hasUnit_ = all.origin.unitMetres > 0;
         deflection_ = all.origin.deflection;
     }
 
@@ -78,6 +85,8 @@ class Assembly {
         problem.rules.ignored = out_;
         problem.outside.emplace();
         problem.deflection = deflection_;
+        for (const clearway::LengthUnit& unit : clearway::lengthUnits())
+            if (unit.metres == metres_ && hasUnit_) problem.unit = unit.name;
         return problem;
     }
 
@@ -96,6 +105,7 @@ class Assembly {
     std::map<std::string, clearway::Mesh> meshes_, partMeshes_;  // of the files, of the parts
     std::map<std::string, clearway::Model> models_;
     double metres_ = 1, deflection_ = 0;
+    bool hasUnit_ = false;
 };
 
 /// The parts still there that the part touches.
@@ -116,7 +126,8 @@ void allowOverlap(clearway::Problem& problem, const Assembly& assembly, const cl
     const clearway::OverlapMeter meter(part);
     for (const std::string& other : touched)
         depth = std::max(depth, meter.deepest(assembly.mesh(other), {}).upper);
-    problem.rules.overlap.common = kOverlap * depth + kSlack * boundingBox(part).diagonal().norm();
+    const double overlap = kOverlap * depth + kSlack * boundingBox(part).diagonal().norm();
+    for (const std::string& other : touched) problem.rules.overlap.byName[other] = overlap;
 }
 
 /// A part that did not come out: in how much time, and what stopped it, most often first.
@@ -126,15 +137,21 @@ struct Held {
     std::string error;
 };
 
-Held whatHolds(const cp::PlanReport& report, double seconds) {
-    Held held{seconds, {}, report.shutIn ? "it is shut in" : ""};
+/// The parts that stopped motions of the part and stand next to it; if there are none, all that stopped it.
+Held whatHolds(const cp::PlanReport& report, const Assembly& assembly, const std::string& part,
+               double seconds) {
+    Held held{seconds, {}, report.shutIn ? "shut in" : ""};
     if (!report.whyNoPath) return held;
+    std::vector<std::string> all, beside;
     const auto add = [&](const std::string& name) {
-        if (!name.empty() && std::find(held.by.begin(), held.by.end(), name) == held.by.end())
-            held.by.push_back(name);
+        if (name.empty() || std::find(all.begin(), all.end(), name) != all.end()) return;
+        all.push_back(name);
+        const double near = kBeside * assembly.model(part).box().diagonal().norm();
+        if (clearway::isWithin(assembly.model(part), assembly.model(name), {}, near)) beside.push_back(name);
     };
     for (const cp::FollowedTrack& track : report.whyNoPath->tracks) add(track.obstacleMesh);
     for (const cp::Blocker& blocker : report.whyNoPath->blockers) add(blocker.name);
+    held.by = beside.empty() ? all : beside;
     return held;
 }
 
@@ -162,6 +179,7 @@ WayOut planWayOut(const Assembly& assembly, const std::string& part, double seco
     cp::PlanOptions options;
     options.seconds = seconds;
     options.quick = true;
+    options.isStopped = [] { return isStopped != 0; };
     WayOut way{assembly.problemOf(part), {}, "no contact"};
     const clearway::SceneMeshes meshes = clearway::loadMeshes(way.problem, assembly.reader());
     const auto plan = [&] {
@@ -170,14 +188,16 @@ WayOut planWayOut(const Assembly& assembly, const std::string& part, double seco
     const std::vector<std::string> touched = touchedBy(assembly, part);
     try {
         if (!touched.empty()) allowOverlap(way.problem, assembly, meshes.part, touched);
-        if (!touched.empty()) way.contacts = "overlap " + shown(way.problem.rules.overlap.common);
+        if (!touched.empty())
+            way.contacts =
+                "overlaps up to " + shown(way.problem.rules.overlap.byName.begin()->second) + " allowed";
         plan();
     } catch (const clearway::ArgumentError&) {
         if (touched.empty()) throw;
         const double distance = kContact * boundingBox(meshes.part).diagonal().norm();
         way.problem.rules.overlap = {};
         way.problem.rules.startContact = clearway::ContactRule{touched, distance};
-        way.contacts = "contacts ignored for " + shown(distance);
+        way.contacts = "contacts ignored for the first " + shown(distance);
         plan();
     }
     return way;
@@ -185,12 +205,15 @@ WayOut planWayOut(const Assembly& assembly, const std::string& part, double seco
 
 /// Moves the part out, and writes its problem and path; or keeps what holds the part.
 bool moveOut(const Assembly& assembly, const std::string& part, double seconds, Disassembly& all) try {
+    std::fprintf(stderr, "trying %s for %g s\n", part.c_str(), seconds);
     const WayOut way = planWayOut(assembly, part, seconds);
     if (way.report.outcome != cp::PlanReport::Outcome::kFound) {
-        all.held[part] = whatHolds(way.report, seconds);
+        all.held[part] = whatHolds(way.report, assembly, part, seconds);
         return false;
     }
-    std::string name = std::to_string(all.moves.size() + 1) + "_" + part;
+    char number[16];
+    std::snprintf(number, sizeof number, "%03zu_", all.moves.size() + 1);
+    std::string name = number + part.substr(0, kLongestName);
     std::replace(name.begin(), name.end(), '/', '_');
     clearway::writeProblem(way.problem, all.folder + "/" + name + ".cfg");
     clearway::writePath(way.report.path, way.problem.space, all.folder + "/" + name + ".path");
@@ -202,7 +225,7 @@ bool moveOut(const Assembly& assembly, const std::string& part, double seconds, 
     std::fflush(stdout);
     all.held.erase(part);
     return true;
-} catch (const clearway::ArgumentError& error) {
+} catch (const std::exception& error) {
     const std::string words = error.what();
     all.held[part] = {seconds, {}, words.substr(0, words.find("; "))};
     return false;
@@ -216,6 +239,7 @@ void takeApart(Assembly& assembly, double mostSeconds, Disassembly& all) {
         bool isAnyOut = false;
         const std::vector<std::string> parts = assembly.parts();
         for (const std::string& part : parts) {
+            if (isStopped) return;
             if (part == parts.back() && (isAnyOut || assembly.parts().size() == 1)) break;
             const auto held = all.held.find(part);
             if (held != all.held.end() && held->second.seconds >= seconds &&
@@ -235,21 +259,41 @@ void takeApart(Assembly& assembly, double mostSeconds, Disassembly& all) {
 void printHeld(const std::string& part, const Held& held) {
     constexpr std::size_t kMost = 3;
     std::string words = held.error;
+    if (words.empty()) words = "no way out found in " + shown(held.seconds) + " s";
     for (std::size_t i = 0; i < held.by.size() && i < kMost; ++i)
-        words += (i == 0 ? "held by '" : ", '") + held.by[i] + "'";
+        words += (i == 0 ? ", held by '" : ", '") + held.by[i] + "'";
     if (held.by.size() > kMost) words += " and " + std::to_string(held.by.size() - kMost) + " more";
     std::printf("    %s: %s\n", part.c_str(), words.c_str());
 }
 
+/// Removes what an earlier run left, so that the folder holds one order.
+void clear(const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
+        const bool isNumbered =
+            name.size() > 4 && name[3] == '_' && name.find_first_not_of("0123456789") == 3;
+        if (isNumbered && (ending == ".cfg" || ending == ".path")) old.push_back(entry.path());
+    }
+    for (const std::filesystem::path& file : old) std::filesystem::remove(file);
+    std::filesystem::remove(folder + "/disassembly.glb");
+}
+
 int main(int argc, char** argv) try {
     if (argc != 3 && argc != 4) throw std::invalid_argument("expected ASSEMBLY OUT [SECONDS]");
-    const double most = argc == 4 ? std::strtod(argv[3], nullptr) : 20;
-    if (!(most > 0))
+    char* end = nullptr;
+    const double most = argc == 4 ? std::strtod(argv[3], &end) : 20;
+    if (!(most > 0 && most < 1e6) || (end && *end != 0))
         throw std::invalid_argument("SECONDS is '" + std::string(argv[3]) + "', expected a number above 0");
+    std::error_code isGone;
+    if (std::filesystem::equivalent(argv[1], argv[2], isGone))
+        throw std::invalid_argument("OUT is the folder of the assembly, expected another one");
     Disassembly all;
     all.folder = argv[2];
     Assembly assembly(argv[1]);
-    std::filesystem::create_directories(all.folder);
+    clear(all.folder);
+    std::signal(SIGINT, [](int) { isStopped = 1; });  // ends the search; what is out stays
     const std::size_t count = assembly.parts().size();
     takeApart(assembly, most, all);
     for (const auto& [part, held] : all.held) printHeld(part, held);

@@ -22,7 +22,7 @@ struct MovingPart {
 };
 
 /// Writes a .glb file: a mesh that stands still, which may be empty, and parts that move. Coordinates and poses are rounded to float.
-/// metresPerUnit: because glTF's lengths are metres; 1 when the unit is not known. z is up. The file is written under a temporary name, then
+/// metresPerUnit: the unit of the coordinates, 1 when it is not known: glTF's lengths are metres. z is up. The file is written under a temporary name, then
 /// renamed. Throws ArgumentError when the file does not end in .glb, there is no mesh at all, a mesh is broken, a path has no state, a time
 /// is out of its range or a coordinate is beyond the range of float, and FileError when the file cannot be written.
 void saveAnimation(const Mesh& still, const std::vector<MovingPart>& moving, double metresPerUnit,

@@ -189,7 +189,8 @@ using MeshReader = std::function<Mesh(const std::string& file, const LoadOptions
 /// ProblemMeshes::isReadingStated), or partNames names no component, or all of them.
 Mesh loadPart(const Problem& problem, const MeshReader& read = loadMesh);
 
-/// Loads the meshes of the environment, one for each of worldFiles() of which a component stands still. Reads and throws as loadPart does.
+/// Loads the meshes of the environment, one for each of worldFiles(). Components of partNames have no triangles in
+/// them. Reads and throws as loadPart does.
 std::vector<Mesh> loadWorlds(const Problem& problem, const MeshReader& read = loadMesh);
 
 /// Loads the meshes of the environment and joins them (joinedEnvironment). Throws as loadWorlds does.
@@ -205,7 +206,8 @@ struct SceneMeshes {
 SceneMeshes loadMeshes(const Problem& problem, const MeshReader& read = loadMesh);
 
 /// The mesh files of an assembly: the path itself, or those of the formats that clearway checks that lie in the folder of this path, by name.
-/// Folders in it are not read. Throws FileError when the folder holds none.
+/// Folders in it are not read. Throws FileError when the folder holds none, or a file of a CAD format without a mesh of its
+/// name beside it: that part would be missing.
 std::vector<std::string> assemblyFiles(const std::string& path);
 
 /// Reads an assembly's files as one mesh, as stored; see assemblyFiles() and joinedEnvironment(). Throws as these and `read` do.

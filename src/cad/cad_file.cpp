@@ -102,7 +102,7 @@ void requireWhole(Reader& reader, const std::string& file) {
                 isLost(iges);
     }
     if (damaged + lost > 0)
-        refuse(file, fmt::format("{} elements are damaged, and OpenCASCADE loses {} faces", damaged, lost));
+        refuse(file, fmt::format("{} of its shapes are damaged or lost, expected none", damaged + lost));
 }
 
 /// Reads the file into a document.

@@ -27,7 +27,7 @@ namespace {
 
 /// Reads and tessellates behind the guard: OpenCASCADE writes to the standard streams, and crashes on some damaged files.
 Mesh guardedMesh(CadFile& cad, const std::string& file, std::optional<double> deflection) {
-    const cli::LoadGuard guard(file, 24 * 3600, {"clearway-cad", "file", "OpenCASCADE"});
+    const cli::LoadGuard guard(file, 3600, {"clearway-cad", "file", "OpenCASCADE"});
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
     try {
         cad = readCadFile(file);
@@ -73,7 +73,9 @@ int run(const cli::Arguments& words) {
         cli::positive(deflection));
     if (!line.parse(words)) return cli::kDone;
     if (!std::filesystem::is_regular_file(file))
-        throw std::invalid_argument(quote(file) + ": there is no such file");
+        throw std::invalid_argument(quote(file) + (std::filesystem::is_directory(file)
+                                                       ? " is a folder, expected a file"
+                                                       : ": there is no such file"));
     if (!boost::iends_with(out, ".3mf"))
         throw std::invalid_argument("--out is " + quote(out) + ", expected a name that ends in .3mf");
     requireReplaceable(out);

@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -143,8 +144,10 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
                             "', which is the name of several files, expected one of " + listed(labels));
     }
     if (name.find_first_of("*?") != std::string::npos) {
+        const std::string pattern =
+            boost::replace_all_copy(name, "[", "[[]");  // brackets stand for themselves
         const auto matches = [&](const std::string& text) {
-            return fnmatch(name.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
+            return fnmatch(pattern.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
         };
         found = where(components_, [&](const Component& component) {
             return matches(component.name) || matches(component.bare);
@@ -153,16 +156,18 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
     }
     found = where(components_, [&](const Component& component) { return component.bare == name; });
     if (found.size() == 1) return found;
+    const bool isPart = rule == "part" || rule == "--part";
     std::vector<std::string> names;
     for (std::size_t i = 0; i < components_.size(); ++i) {
         if (found.empty() || std::count(found.begin(), found.end(), i) > 0) {
             names.push_back(components_[i].name);
         }
     }
-    throw ArgumentError(rule + " names '" + name + "', " +
-                        (found.empty() ? "which is no obstacle" + didYouMean(name, names)
-                                       : std::string("which is in several files")) +
-                        ", expected one of " + listed(names));
+    throw ArgumentError(
+        rule + " names '" + name + "', " +
+        (found.empty() ? (isPart ? "which is no part" : "which is no obstacle") + didYouMean(name, names)
+                       : std::string("which is in several files")) +
+        ", expected one of " + listed(names));
 }
 
 }  // namespace clearway

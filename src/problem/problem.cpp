@@ -163,10 +163,25 @@ Mesh loadAs(const Problem& problem, const std::string& file, double scale, MeshR
     return mesh;
 }
 
-/// The files of an assembly, each divided into the components that move and those that stand still; either may be empty.
+/// The files of an assembly, divided. `still` has all of them, with the components that move, but without their triangles: so all components
+/// keep the names that they have in the whole assembly, by which rules call them.
 struct DividedFiles {
     std::vector<Mesh> moving, still;
 };
+
+/// The file without the triangles of the components that are not in `rest`.
+Mesh withTrianglesOf(const Mesh& file, const std::vector<std::size_t>& rest) {
+    Mesh mesh = meshOfComponents(file, rest);
+    std::vector<Component> components = componentsOf(file);
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (std::find(rest.begin(), rest.end(), i) == rest.end()) components[i].triangleCount = 0;
+        components[i].firstTriangle = first;
+        first += components[i].triangleCount;
+    }
+    mesh.components = components;
+    return mesh;
+}
 
 std::vector<Mesh> loadWorldFiles(const Problem& problem, const MeshReader& read) {
     std::vector<Mesh> worlds;
@@ -196,9 +211,9 @@ DividedFiles divideFiles(const Problem& problem, const MeshReader& read) {
         for (std::size_t i = 0; i < componentsOf(mesh).size(); ++i, ++component)
             (moving.count(component) > 0 ? chosen : rest).push_back(i);
         if (!chosen.empty()) divided.moving.push_back(meshOfComponents(mesh, chosen));
-        if (!rest.empty()) divided.still.push_back(meshOfComponents(mesh, rest));
+        divided.still.push_back(withTrianglesOf(mesh, rest));
     }
-    if (divided.still.empty())
+    if (moving.size() == names.components().size())
         throw ArgumentError("part names all components of '" + problem.meshes.robot +
                             "', expected one that stands still, or a further file in [problem] world");
     return divided;

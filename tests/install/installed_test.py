@@ -263,6 +263,8 @@ def check_program(prefix):
     version = output_of(program, "--version").splitlines()[0]
     subcommands = re.findall(r"^  ([a-z]+)  +", output_of(program, "--help"), re.M)
     pages = {"clearway.1", "clearway-scene.1"} | {"clearway-%s.1" % name for name in subcommands}
+    if os.path.exists(os.path.join(prefix, "bin", "clearway-cad")):  # built where OpenCASCADE is found
+        pages.add("clearway-cad.1")
     installed = set(os.listdir(os.path.join(prefix, "share", "man", "man1")))
     if len(pages) < 8 or installed != pages:
         fail("man pages are %s, expected %s" % (sorted(installed), sorted(pages)))

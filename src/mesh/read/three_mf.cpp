@@ -172,7 +172,8 @@ class Reader {
             if (!isNumber(text->c_str(), length) || !(length >= 0))
                 mesh_.refuse("the deflection of {} is {}, expected a number of at least 0", object.text(),
                              quote(*text));
-            return length * Eigen::JacobiSVD<Matrix3>(X_fileObject.linear).singularValues()[0];
+            const double scale = Eigen::JacobiSVD<Matrix3>(X_fileObject.linear).singularValues()[0];
+            return std::abs(scale - 1) < 1e-12 ? length : length * scale;  // a rotation's is rounded
         }
         return 0;
     }

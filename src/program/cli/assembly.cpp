@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 
 #include "clearway/query.h"
@@ -163,7 +165,9 @@ std::string pairRow(const PartPair& pair) {
             return fmt::format(
                 "{}, {} around {}{}", names,
                 counted(pair.touchingTriangles, "touching pair of triangles", "touching pairs of triangles"),
-                shownPlace(pair.at), pair.depth ? "" : "; both are open, so no depth is known");
+                shownPlace(pair.at),
+                pair.depth ? ", at most " + shownLength(pair.depth->upper) + " deep"
+                           : "; both are open, so no depth is known");
         case PartPair::Kind::kGap:
             break;
     }
@@ -192,14 +196,16 @@ Json jsonOf(const PartPair& pair) {
 
 std::string pairTable(const std::vector<PartPair>& pairs) {
     std::string text =
-        "kind,a,b,gap_lower,gap_upper,x,y,z,touching_triangles,depth_lower,depth_upper,escape,escape_upper\n";
+        "kind,a,b,gap_lower,gap_upper,x,y,z,touching_triangles,coincide,depth_lower,depth_upper,escape,"
+        "escape_upper\n";
     for (const PartPair& pair : pairs) {
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", kPairKinds[static_cast<int>(pair.kind)],
-                            textCell(pair.a), textCell(pair.b), formatNumber(pair.lower),
-                            formatNumber(pair.upper), numberCells(pair.at), pair.touchingTriangles,
-                            pair.depth ? formatNumber(pair.depth->lower) : "",
-                            pair.depth ? formatNumber(pair.depth->upper) : "", pair.escapeDirection,
-                            pair.escape ? formatNumber(pair.escape->upper) : "");
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{}\n", kPairKinds[static_cast<int>(pair.kind)],
+                        textCell(pair.a), textCell(pair.b), formatNumber(pair.lower),
+                        formatNumber(pair.upper), numberCells(pair.at), pair.touchingTriangles,
+                        pair.doCoincide, pair.depth ? formatNumber(pair.depth->lower) : "",
+                        pair.depth ? formatNumber(pair.depth->upper) : "", pair.escapeDirection,
+                        pair.escape ? formatNumber(pair.escape->upper) : "");
     }
     return text;
 }
@@ -233,19 +239,26 @@ std::vector<PartPair> pairsOf(const Mesh& assembly, double near) {
 void drawPairs(const Mesh& assembly, const std::vector<PartPair>& pairs, const std::string& file) {
     render::RenderOptions drawing;
     drawing.marksContacts = true;
+    const std::vector<Component> components = componentsOf(assembly);
+    std::map<std::string, double> sizes;
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        sizes[components[i].name] = boundingBox(meshOfComponents(assembly, {i})).diagonal().norm();
+        if (sizes[components[i].name] > sizes[components[largest].name]) largest = i;
+    }
     std::set<std::string> meeting;
     for (const PartPair& pair : pairs) {
         if (pair.kind == PartPair::Kind::kGap) break;
         drawing.marks.push_back(pair.at);
-        if (pair.kind == pairs[0].kind) meeting.insert({pair.a, pair.b});
+        meeting.insert(sizes[pair.a] < sizes[pair.b] ? pair.a : pair.b);
     }
     std::vector<std::size_t> chosen, rest;
-    const std::vector<Component> components = componentsOf(assembly);
-    for (std::size_t i = 0; i < components.size(); ++i)
-        (meeting.count(components[i].name) > 0 ? chosen : rest).push_back(i);
-    if (chosen.empty()) std::swap(chosen, rest);  // nothing meets: all parts are drawn alike
-    const bool isFree = meeting.empty();
-    const render::PosedPart pose{{}, 0, false, !isFree};
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const bool isChosen = i != largest && (meeting.empty() || meeting.count(components[i].name) > 0);
+        (isChosen ? chosen : rest).push_back(i);
+    }
+    if (chosen.empty()) throw std::invalid_argument("--picture is of several parts, and there is one alone");
+    const render::PosedPart pose{{}, 0, false, !meeting.empty()};
     const render::Image picture = render::render(meshOfComponents(assembly, chosen),
                                                  meshOfComponents(assembly, rest), {pose}, {}, drawing);
     render::writePng(picture, file);
@@ -253,17 +266,17 @@ void drawPairs(const Mesh& assembly, const std::vector<PartPair>& pairs, const s
 }
 
 void tellPairs(const std::vector<PartPair>& pairs, double near, const std::string& csvFile) {
-    std::size_t shown[3] = {};
     Json json = Json::array();
-    for (const PartPair& pair : pairs) {
-        const auto kind = static_cast<std::size_t>(pair.kind);
-        if (++shown[kind] <= kMostPairRows) printRow(kPairKinds[kind], pairRow(pair));
-        json.push_back(jsonOf(pair));
-    }
+    for (const PartPair& pair : pairs) json.push_back(jsonOf(pair));
     for (std::size_t kind = 0; kind < 3; ++kind) {
-        if (shown[kind] > kMostPairRows)
+        std::size_t count = 0;
+        for (const PartPair& pair : pairs) {
+            if (static_cast<std::size_t>(pair.kind) == kind && ++count <= kMostPairRows)
+                printRow(kPairKinds[kind], pairRow(pair));
+        }
+        if (count > kMostPairRows)
             printRow(kPairKinds[kind],
-                     fmt::format("{} more; --csv or --json writes all", shown[kind] - kMostPairRows));
+                     fmt::format("{} more; --csv or --json writes all", count - kMostPairRows));
     }
     if (pairs.empty()) printRow("parts", "none are nearer to each other than " + shownLength(near));
     facts()["near"] = near;

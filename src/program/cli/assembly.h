@@ -31,8 +31,8 @@ struct PartPair {
 /// volume, as those of two copies do. A closed part that holds a piece of another one counts as an overlap; an open part holds nothing.
 std::vector<PartPair> pairsOf(const Mesh& assembly, double near);
 
-/// Draws the assembly with a ring around the place of each overlap and each contact, into a .png file. The parts of overlaps, or where there are
-/// none those of contacts, are drawn in the colour of contact.
+/// Draws the assembly with a ring around the place of each overlap and each contact, into a .png file. The smaller part of each
+/// such pair is drawn in the colour of contact. Throws std::invalid_argument when there is one part alone.
 void drawPairs(const Mesh& assembly, const std::vector<PartPair>& pairs, const std::string& file);
 
 /// Prints a row for each pair, keeps them among the facts as "pairs", and writes a table where a file is given.

@@ -10,6 +10,8 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -75,6 +77,11 @@ std::pair<int, std::string> ran(std::vector<std::string> words) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
 
+std::string contentOf(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
 
 Rows makeMeshesOfCad(std::vector<std::string*> files, const std::string& out) {
@@ -98,7 +105,9 @@ Rows makeMeshesOfCad(std::vector<std::string*> files, const std::string& out) {
                     boost::starts_with(said, kCadProgram) ? said.substr(said.find(' ') + 1) : said;
                 throw std::runtime_error(std::string(kCadProgram) + " fails: " + boost::trim_copy(reason));
             }
-            const auto old = setAside(mesh);
+            std::error_code isGone;
+            const bool isKept = fs::exists(mesh, isGone) && contentOf(mesh) == contentOf(temporary);
+            const auto old = isKept ? std::nullopt : setAside(mesh);
             fs::rename(temporary, mesh);
             rows.push_back({"made", mesh + " of " + *file +
                                         " by clearway-cad, which can be told another --deflection" +

@@ -233,7 +233,7 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
     std::cout << "\nPairs of parts\n";
     tellDeflection(deflectionOf(assembly));
     printRows(deflectionRows());
-    if (componentsOf(assembly).size() < 2) printRow("parts", "one alone: there is nothing to compare");
+    if (componentsOf(assembly).size() < 2) return printRow("parts", "one alone: there is nothing to compare");
     const auto begin = Clock::now();
     const std::vector<PartPair> pairs = pairsOf(assembly, widest);
     facts()["pairs_seconds"] = secondsSince(begin);

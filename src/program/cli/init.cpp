@@ -45,6 +45,7 @@ struct InitArguments {
     std::vector<std::string> environment;
     std::vector<std::string> partNames;  ///< of --part; the first file is then an assembly
     Rows made{};                         ///< meshes of STEP and IGES files
+    std::string moves{};                 ///< the names of the parts that move, for people
 };
 
 /// Makes the first file with a part named the part's, and all files the environment's, but for one that moves alone and as a whole. Keeps the
@@ -65,6 +66,12 @@ void takePartsOut(InitArguments& given) {
     if (moving.size() == names.components().size())
         throw std::invalid_argument("--part names all parts of '" + given.part +
                                     "', expected one that stands still");
+    std::vector<std::string> moves;
+    for (const std::size_t component : moving) moves.push_back(quote(names.components()[component].name));
+    const std::size_t shown = std::min(moves.size(), kMostNamed);
+    const std::string more = moves.size() > shown ? fmt::format(" and {} more", moves.size() - shown) : "";
+    moves.resize(shown);
+    given.moves = joined(moves) + more;
     const std::size_t file = *movingFiles.begin();
     given.part = files[file];
     given.environment = files;
@@ -96,17 +103,18 @@ bool readArguments(const Arguments& words, InitArguments& given) {
     line.option("--out FILE", "the problem file, .cfg", to(given.out), CommandLine::Count::kRequired);
     addJson(line);
     if (!line.parse(words)) return false;
-    std::vector<std::string*> meshes = {&given.part};
-    for (std::string& file : given.environment) meshes.push_back(&file);
-    given.made = makeMeshesOfCad(meshes, given.out);
-    if (!given.partNames.empty()) {
-        takePartsOut(given);
-    } else if (given.environment.empty()) {
+    if (given.partNames.empty() && given.environment.empty()) {
         throw std::invalid_argument(
             "no ENVIRONMENT, expected: clearway init PART ENVIRONMENT... --out PROBLEM.cfg, or --part NAME "
             "for a "
             "part of an assembly");
     }
+    OutputFiles files({});
+    files.add("--out", given.out, {".cfg"});  // refused before a mesh is made
+    std::vector<std::string*> meshes = {&given.part};
+    for (std::string& file : given.environment) meshes.push_back(&file);
+    given.made = makeMeshesOfCad(meshes, given.out);
+    if (!given.partNames.empty()) takePartsOut(given);
     return true;
 }
 
@@ -348,6 +356,7 @@ int init(const Arguments& words) {
             {note + " robot.scale and world.scale in [clearway] are factors for their coordinates"});
     for (const Mesh& mesh : meshes) printWarnings(mesh.origin.warnings);
     warnOfUnits(meshes);
+    if (!given.moves.empty()) printRow("moves", given.moves);
     tell({kept("problem", given.out), partFact, environmentFact, kept("touched_at_start", seen.touched)});
     tellDeflection(seen.deflection);
     if (seen.touched.empty()) {

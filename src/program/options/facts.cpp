@@ -95,11 +95,11 @@ void tellProblem(const Problem& problem) {
     useUnit(problem.unit);
     facts()["problem"] = problem.file;
     facts()["unit"] = problem.unit.empty() ? Json() : Json(problem.unit);
-    tellDeflection(problem.deflection);
+    tellDeflection(problem.deflection, problem.margin >= 2 * problem.deflection);
 }
 
-void tellDeflection(double deflection) {
-    useDeflection(deflection);
+void tellDeflection(double deflection, bool isInMargin) {
+    useDeflection(deflection, isInMargin);
     facts()["deflection"] = deflection > 0 ? Json(deflection) : Json();
 }
 

@@ -66,8 +66,8 @@ void dropFacts();
 /// Records the problem's name, unit and deflection in the JSON; rows show the unit from now on.
 void tellProblem(const Problem& problem);
 
-/// Records the deflection of the meshes in the JSON, null for 0; deflectionRows() shows it from now on.
-void tellDeflection(double deflection);
+/// Records the deflection of the meshes in the JSON, null for 0; deflectionRows() shows it from now on. isInMargin: see useDeflection().
+void tellDeflection(double deflection, bool isInMargin = false);
 
 /// Tells the part's mesh, the obstacles (by name when rules tell them apart), the margin and the contact zones.
 void tellScene(const Scene& scene);

@@ -40,6 +40,7 @@ constexpr Topic kTopics[] = {
   objective, objective.threshold, sampler, threshold, name
 
 [clearway]
+  part = NAME, NAME            what moves of an assembly: all other components stand still
   reading = stored | omplapp   coordinates as the files hold them, or moved as OMPL.app moves them
   goal = outside               any pose outside of the surroundings' box; outside = +x, -x, ... says which side
   start.degrees, goal.degrees  in place of theta

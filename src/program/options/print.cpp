@@ -35,8 +35,13 @@ std::string& unitInUse() {
     return unit;
 }
 
-double& deflectionInUse() {
-    static double deflection = 0;
+struct Deflection {
+    double length = 0;
+    bool isInMargin = false;
+};
+
+Deflection& deflectionInUse() {
+    static Deflection deflection;
     return deflection;
 }
 
@@ -154,16 +159,19 @@ std::string certificateScope(const Scene& scene) {
     return isChecked(scene) ? "" : " for the triangles that assimp delivered";
 }
 
-void useDeflection(double deflection) {
-    deflectionInUse() = deflection;
+void useDeflection(double deflection, bool isInMargin) {
+    deflectionInUse() = {deflection, isInMargin};
 }
 
 Rows deflectionRows() {
-    const double deflection = deflectionInUse();
-    if (!(deflection > 0)) return {};
-    return {{"deflection",
-             fmt::format("{}; certified for these triangles; the surfaces may be up to 2 x {} closer",
-                         statedLength(deflection), statedLength(deflection))}};
+    const Deflection deflection = deflectionInUse();
+    if (!(deflection.length > 0)) return {};
+    const std::string length = statedLength(deflection.length);
+    return {{"deflection", length + (deflection.isInMargin
+                                         ? "; the margin holds the 2 x " + length +
+                                               " by which the surfaces may be closer than these triangles"
+                                         : "; certified for these triangles; the surfaces may be up to 2 x " +
+                                               length + " closer")}};
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

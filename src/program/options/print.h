@@ -60,8 +60,9 @@ bool isChecked(const Scene& scene);
 /// Ends a certificate's row: empty when all meshes of the scene are checked.
 std::string certificateScope(const Scene& scene);
 
-/// Sets the deflection of the meshes whose clearances are shown from now on, in the unit in use; 0 if none is known.
-void useDeflection(double deflection);
+/// Sets the deflection of the meshes whose clearances are shown from now on, in the unit in use; 0 if none is known. isInMargin: whether the
+/// margin is at least twice as large.
+void useDeflection(double deflection, bool isInMargin);
 
 /// Says what certificates do not promise about the surfaces that the meshes were made for; no row if no deflection is known.
 Rows deflectionRows();

@@ -91,7 +91,7 @@ class Measuring {
 
   private:
     std::size_t ownIndexOf(const Model& model, std::size_t index) const {
-        const std::string& name = componentsOf(environment_)[index].name;
+        const std::string name = componentsOf(environment_)[index].name;
         const auto& own = model.components();
         return static_cast<std::size_t>(
             std::find_if(own.begin(), own.end(), [&](const Component& each) { return each.name == name; }) -

@@ -266,7 +266,9 @@ Mesh assembly(const std::vector<Mesh>& parts) {
 std::set<std::string> obstacleNames(const Problem& problem) {
     std::set<std::string> names;
     for (const Mesh& world : loadWorlds(problem)) {
-        for (const Component& component : world.components) names.insert(component.name);
+        for (const Component& component : world.components) {
+            if (component.triangleCount > 0) names.insert(component.name);
+        }
     }
     return names;
 }
@@ -307,6 +309,11 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     BOOST_TEST(files.meshes.partNames.empty());
     BOOST_TEST(std::filesystem::path(files.meshes.robot).filename() == "block.stl");
     BOOST_TEST(worldFiles(files).size() == 2u);
+    BOOST_TEST(holds(runIn(folder, "init parts --part 'pl*' --out moves.cfg").out, "moves:", "'plate'"));
+    folder.write("parts/hinge.step", "ISO-10303-21;");
+    requireRefused(folder, "init parts --part block --out q.cfg",
+                   {"'hinge.step'", "not read", "clearway-cad"});
+    std::filesystem::remove(folder.file("parts/hinge.step"));
 
     requireRefused(folder, "init all.glb --out q.cfg", {"no ENVIRONMENT", "--part"});
     requireRefused(folder, "init all.glb --part lid --out q.cfg", {"'lid'", "block"});
@@ -318,7 +325,23 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     BOOST_TEST(loadPart(ofFiles).components.size() == 2u);
     BOOST_TEST(loadPart(ofFiles).triangles.size() == 24u);
     BOOST_TEST(obstacleNames(ofFiles) == std::set<std::string>({"floor"}), boost::test_tools::per_element());
-    BOOST_TEST(loadWorlds(ofFiles).size() == 1u);
+    // Rules call obstacles by their names in the whole folder, also when one file is left.
+    Problem ignoring = ofFiles;
+    ignoring.rules.ignored = {"floor"};
+    BOOST_TEST(obstaclesOf(ignoring, loadWorlds(ignoring)).groups.empty());
+    std::filesystem::create_directory(folder.file("two"));
+    saveMesh(assembly({named(box({1, 1, 1}), "f", {90, 0, 0}), named(box({1, 1, 1}), "g", {95, 0, 0})}),
+             folder.file("two/f.obj"));
+    saveMesh(named(box({0.5, 0.5, 0.5}), "h", {95, 0, 0}), folder.file("two/h.obj"));
+    factsOf(folder, "init two --part h --out two_files.cfg");
+    Problem twoFiles = readProblem(folder.file("two_files.cfg"));
+    twoFiles.meshes.partNames = {"h"};
+    twoFiles.meshes.furtherWorlds.push_back(twoFiles.meshes.robot);
+    twoFiles.rules.ignored = {"f/g"};
+    const ObstacleGroups left = obstaclesOf(twoFiles, loadWorlds(twoFiles));
+    BOOST_TEST(left.ignored == std::vector<std::string>{"f/g"}, boost::test_tools::per_element());
+    BOOST_TEST_REQUIRE(left.groups.size() == 1u);
+    BOOST_TEST(left.groups[0].mesh.triangles.size() == 12u);
 }
 
 /// A problem in memory that names parts but not their file among the environment's would lose the other parts without a word.
