@@ -168,11 +168,12 @@ BOOST_AUTO_TEST_CASE(init_calls_the_program_and_goes_on_with_what_it_made) {
     writeStep(folder.file("a.step"), "machine",
               {{{"block", cutBlock()}, TopLoc_Location()},
                {{"ball", BRepPrimAPI_MakeSphere(4).Shape()}, TopLoc_Location(moved(0, 0, 40))}});
-    for (const bool isSecond : {false, true}) {
+    for (const bool isOther : {false, true, false}) {  // another file is kept, the same one is not
+        if (isOther) folder.write("a.3mf", "of another program");
         const Outcome made = runIn(folder, "init a.step --part ball --out p.cfg");
         BOOST_TEST_REQUIRE(made.code == 0, made.err);
         BOOST_TEST(holds(row(made, "made"), "a.3mf of a.step"), made.out);
-        BOOST_TEST(holds(row(made, "made"), "a.3mf.old") == isSecond, made.out);
+        BOOST_TEST(holds(row(made, "made"), "a.3mf.old") == isOther, made.out);
         const Problem problem = readProblem(folder.file("p.cfg"));
         BOOST_TEST(problem.unit == "mm");
         BOOST_TEST(problem.deflection > 0.03);
