@@ -296,6 +296,7 @@ int main(int argc, char** argv) try {
     std::signal(SIGINT, [](int) { isStopped = 1; });  // ends the search; what is out stays
     const std::size_t count = assembly.parts().size();
     takeApart(assembly, most, all);
+    if (assembly.parts().size() == 1) all.held.clear();  // nothing is left that holds the last one
     for (const auto& [part, held] : all.held) printHeld(part, held);
     std::printf("%zu of %zu parts came out one after the other, in %.0f s%s\n", all.moves.size(), count,
                 secondsSince(all.begin), assembly.parts().size() == 1 ? "; the last one is alone" : "");
