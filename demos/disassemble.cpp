@@ -120,13 +120,13 @@ std::vector<std::string> touchedBy(const Assembly& assembly, const std::string& 
 
 /// Parts touch where they are assembled. Lets the touched ones reach as deep into the part as they do at the start, and a little deeper.
 /// Throws clearway::ArgumentError if the part is open: then no depth is known.
-void allowOverlap(clearway::Problem& problem, const Assembly& assembly, const clearway::Mesh& part,
+void allowOverlap(clearway::Problem& problem, const Assembly& assembly, const std::string& part,
                   const std::vector<std::string>& touched) {
     double depth = 0;
-    const clearway::OverlapMeter meter(part);
+    const clearway::OverlapMeter meter(assembly.mesh(part), assembly.model(part));
     for (const std::string& other : touched)
         depth = std::max(depth, meter.deepest(assembly.mesh(other), {}).upper);
-    const double overlap = kOverlap * depth + kSlack * boundingBox(part).diagonal().norm();
+    const double overlap = kOverlap * depth + kSlack * assembly.model(part).box().diagonal().norm();
     for (const std::string& other : touched) problem.rules.overlap.byName[other] = overlap;
 }
 
@@ -187,7 +187,7 @@ WayOut planWayOut(const Assembly& assembly, const std::string& part, double seco
     };
     const std::vector<std::string> touched = touchedBy(assembly, part);
     try {
-        if (!touched.empty()) allowOverlap(way.problem, assembly, meshes.part, touched);
+        if (!touched.empty()) allowOverlap(way.problem, assembly, part, touched);
         if (!touched.empty())
             way.contacts =
                 "overlaps up to " + shown(way.problem.rules.overlap.byName.begin()->second) + " allowed";

@@ -27,7 +27,7 @@ const char* nameOf(SweepVerdict verdict) {
     return "undecided";
 }
 
-/// What Python gets of an answer: the verdict's name, and the time until which the motion is free.
+/// An answer as Python gets it: the verdict's name, and the time until which the motion is free.
 std::pair<const char*, double> followed(const MotionAnswer& answer) {
     return {nameOf(answer.verdict), answer.certifiedUntil};
 }
