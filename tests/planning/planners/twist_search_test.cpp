@@ -12,6 +12,7 @@
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/plan.h"
+#include "clearway/shrink.h"
 #include "planning/planners/planner_team.h"
 #include "planning/space/ompl_states.h"
 #include "support/assembled_problems.h"
@@ -60,6 +61,30 @@ PlanReport planned(const Problem& problem, const Scene& scene,
     BOOST_TEST((report.outcome == Outcome::kFound));
     if (report.outcome == Outcome::kFound) BOOST_TEST(report.audit.isValid());
     return report;
+}
+
+/// A square peg in a sleeve that leaves it 0.01 on each side when it is 2 wide from its middle, turned together.
+AssembledProblem pegInSleeve(double halfWidth, const Matrix3& turn = Matrix3::Identity()) {
+    const Pose X{turn, Vector3::Zero()};
+    Mesh sleeve;
+    for (const double side : {-1.0, 1.0}) {
+        sleeve =
+            testing::joined(sleeve, testing::translated(testing::box(Vector3(1, 5, 8)), {side * 3.01, 0, 0}));
+        sleeve =
+            testing::joined(sleeve, testing::translated(testing::box(Vector3(5, 1, 8)), {0, side * 3.01, 0}));
+    }
+    return {"peg", testing::transformed(testing::box(Vector3(halfWidth, halfWidth, 5)), X),
+            testing::transformed(sleeve, X)};
+}
+
+const Matrix3 kTilt = Eigen::AngleAxisd(0.4, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+
+/// The team's other planners take several times as long for these iterations, and find nothing.
+void onlyTwistsFind(const Problem& problem, const Scene& scene) {
+    planned(problem, scene);
+    for (const auto& [planner, iterations] :
+         {std::pair<const char*, int>{"RRTConnect", 3000}, {"SlidingRRTConnect", 60}})
+        BOOST_TEST((plan(problem, scene, by(planner, iterations)).outcome != Outcome::kFound), planner);
 }
 
 ob::PlannerTerminationCondition after(int most) {
@@ -145,15 +170,8 @@ BOOST_AUTO_TEST_CASE(margins_are_kept) {
 
 /// A second obstacle closes the way that is taken without it.
 BOOST_AUTO_TEST_CASE(every_obstacle_counts) {
-    const Mesh peg = testing::box(Vector3(2, 2, 5));
-    Mesh sleeve;
-    for (const double side : {-1.0, 1.0}) {
-        sleeve =
-            testing::joined(sleeve, testing::translated(testing::box(Vector3(1, 5, 8)), {side * 3.01, 0, 0}));
-        sleeve =
-            testing::joined(sleeve, testing::translated(testing::box(Vector3(5, 1, 8)), {0, side * 3.01, 0}));
-    }
-    Scene scene(Model::build(peg), Model::build(sleeve));
+    const AssembledProblem peg = pegInSleeve(2);
+    Scene scene = sceneOf(peg);
     const PlanReport free = planned(outwards(), scene);
     const double way = free.path.back().position.z();
     BOOST_TEST(std::abs(way) > 10);
@@ -188,7 +206,37 @@ BOOST_AUTO_TEST_CASE(a_planar_part_leaves_its_slot) {
                       Model::build(testing::transformed(slot, X)));
     Problem problem = outwards();
     problem.space = Space::kSe2;
-    planned(problem, scene);
+    onlyTwistsFind(problem, scene);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_leaves_a_solid) {
+    const AssembledProblem peg = pegInSleeve(2, kTilt);
+    Scene scene = sceneOf(peg);
+    scene.obstacles[0].solids = makeSolids(peg.environment).solids;
+    scene.partSolids = makeSolids(peg.part).solids;
+    onlyTwistsFind(outwards(), scene);
+}
+
+BOOST_AUTO_TEST_CASE(a_part_that_is_pressed_in_comes_out) {
+    const AssembledProblem peg = pegInSleeve(2.02, kTilt);
+    Scene scene = sceneOf(peg);
+    const ShrunkPart shrunk = shrink(peg.part, {0.02});
+    scene.obstacles[0].shrunk = shrunkModel(shrunk, Model::build(shrunk.mesh));
+    onlyTwistsFind(outwards(), scene);
+}
+
+/// The peg's bottom lies on a plate, which counts no more once the peg has left it.
+BOOST_AUTO_TEST_CASE(a_part_in_a_tight_fit_may_touch_another_obstacle) {
+    const AssembledProblem peg = pegInSleeve(2, kTilt);
+    Scene scene = sceneOf(peg);
+    scene.obstacles.emplace_back(Model::build(testing::transformed(
+        testing::translated(testing::box(Vector3(9, 9, 1)), {0, 0, -9}), Pose{kTilt, Vector3::Zero()})));
+    Problem problem;
+    problem.start.position = kTilt * Vector3(0, 0, -3);
+    problem.goal.position = kTilt * Vector3(0, 0, 30);
+    scene.obstacles[1].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{{Matrix3::Identity(), problem.start.position}, 0.1};
+    onlyTwistsFind(problem, scene);
 }
 
 BOOST_AUTO_TEST_CASE(a_captive_screw_is_told_as_that) {
