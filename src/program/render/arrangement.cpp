@@ -14,6 +14,10 @@ namespace {
 constexpr double kWayRadius = 0.0035;  ///< radius of the line along the path, share of the picture's height
 constexpr double kHatching = 0.014;    ///< distance of the lines of hatching, share of the picture's height
 
+/// The part is drawn this share of its distance nearer to the camera, where it looks as before. Faces that it
+/// has in common with the environment are then its own, where rounding would choose one at each pixel.
+constexpr float kNearer = 1e-5f;
+
 /// Opacity of ghosts in a film, where they only stand by.
 constexpr float kStillGhosts = 0.3f, kStillVeils = 0.1f;
 
@@ -186,7 +190,10 @@ void Arrangement::addPath() {
 }
 
 Body Arrangement::bodyOf(const PosedPart& pose) const {
-    Body body{partShape_, placementOf(pose), {partColour(pose, most_)}};
+    Placement placement = placementOf(pose);
+    placement.rotation *= 1 - kNearer;
+    placement.translation += kNearer * (camera_.eye - placement.translation);
+    Body body{partShape_, placement, {partColour(pose, most_)}};
     body.isOnScale = true;
     body.isHatched = pose.isInContact;
     body.pen = penOf(pose.role);

@@ -18,6 +18,7 @@ constexpr float kGapShare = 0.012f;  ///< share of the depth: a larger jump, on 
 constexpr float kSilhouette = 0.85f, kGap = 0.7f, kSeam = 0.5f, kCrease = 0.6f, kGhost = 0.45f,
                 kColoured = 0.95f;
 constexpr float kColouredWidth = 2;  ///< width of coloured outlines, in widths of a line
+constexpr int kBeside = 3;  ///< places; a ghost's outline this close beside that of the part is left out
 const Colour kPens[] = {sRgb(24, 26, 32), sRgb(0, 150, 230), sRgb(0, 125, 50)};
 constexpr std::uint32_t kNothing = 0xffffffffu;
 
@@ -27,6 +28,7 @@ struct Look {
     Vector3f facet = Vector3f::Zero();
     float slope = 0;  ///< cosine of the angle between facet and ray
     Pen pen = Pen::kPlain;
+    bool isPart = false;
     GhostWalls ghosts;  ///< in front of the body and behind it
 };
 
@@ -60,6 +62,7 @@ Look lookAlong(const Stages& stages, const Ray& ray) {
         look.facet = stages.solids.facetOf(hit);
         look.slope = std::abs(look.facet.dot(ray.direction));
         look.pen = stages.solids.penOf(hit);
+        look.isPart = stages.solids.isOnScale(hit);
     }
     if (!stages.ghosts.isEmpty())
         look.ghosts = ghostsAlong(stages.ghosts, ray, std::numeric_limits<float>::infinity());
@@ -71,33 +74,69 @@ Ink outlineOf(Pen pen, float plain) {
     return {pen == Pen::kPlain ? plain : kColoured, pen};
 }
 
-/// The outline of the nearest ghost that `a` sees and that ends before `b`. What lies in front of it at `b`,
-/// another ghost or a body, does not end it.
-Ink ghostLine(const Stage& ghosts, const Look& a, const Look& b) {
+/// The largest difference of the depths at two neighbouring places of one surface.
+float mostStep(float depth, float slope) {
+    return kGapShare * depth / std::max(0.08f, slope);
+}
+
+/// A place and the direction to its neighbour.
+struct Step {
+    int x, y, dx, dy;
+
+    Step back() const { return {x + dx, y + dy, -dx, -dy}; }
+};
+
+/// Whether the part ends at the place or close before it, at this depth. So does the ghost of a pose close to the
+/// part's, whose outline in another colour would show as stripes along that of the part.
+bool isBesidePart(const Grid<Look>& looks, const Step& step, float along) {
+    const std::uint32_t body = looks.at(step.x + step.dx, step.y + step.dy).body;
+    for (int i = 0; i <= kBeside; ++i) {
+        const int x = step.x - i * step.dx, y = step.y - i * step.dy;
+        if (!looks.area.holds(x, y)) return false;
+        const Look& look = looks.at(x, y);
+        if (look.isPart && look.body != body && std::abs(look.depth - along) < mostStep(along, look.slope))
+            return true;
+    }
+    return false;
+}
+
+/// The outline of the nearest ghost that the place sees and that ends before its neighbour. What lies in front
+/// of it there, another ghost or a body, does not end it.
+Ink ghostLine(const Stage& ghosts, const Grid<Look>& looks, const Step& step) {
+    const Look &a = looks.at(step.x, step.y), &b = looks.at(step.x + step.dx, step.y + step.dy);
     for (const RayHit& ghost : a.ghosts) {
         const bool isCovered = a.body != kNothing && ghost.along > a.depth - kGhostGap;
-        if (!isCovered && !b.ghosts.hold(ghost.body)) return outlineOf(ghosts.penOf(ghost), kGhost);
+        if (!isCovered && !b.ghosts.hold(ghost.body) && !isBesidePart(looks, step, ghost.along))
+            return outlineOf(ghosts.penOf(ghost), kGhost);
     }
     return {};
 }
 
-/// The line between two neighbours; share 0: no line.
-Ink lineBetween(const Stages& stages, const Look& a, const Look& b) {
+/// The pen of the nearer body; where both touch, that of the start or the goal, so that its outline is whole.
+Pen penBetween(const Look& a, const Look& b) {
+    if (a.body == kNothing) return b.pen;
+    if (b.body == kNothing) return a.pen;
+    const float nearer = std::min(a.depth, b.depth);
+    if (std::abs(a.depth - b.depth) < mostStep(nearer, std::min(a.slope, b.slope)))
+        return std::max(a.pen, b.pen);
+    return a.depth < b.depth ? a.pen : b.pen;
+}
+
+/// The line between a place and its neighbour; share 0: no line.
+Ink lineAt(const Stages& stages, const Grid<Look>& looks, const Step& step) {
+    const Look &a = looks.at(step.x, step.y), &b = looks.at(step.x + step.dx, step.y + step.dy);
     Ink line;
     const auto add = [&](const Ink& other) {
         if (other.share > line.share) line = other;
     };
-    add(ghostLine(stages.ghosts, a, b));
-    add(ghostLine(stages.ghosts, b, a));
+    add(ghostLine(stages.ghosts, looks, step));
+    add(ghostLine(stages.ghosts, looks, step.back()));
     if (a.body != b.body) {
-        const bool isA = b.body == kNothing || (a.body != kNothing && a.depth < b.depth);
-        add(outlineOf(isA ? a.pen : b.pen, kSilhouette));
+        add(outlineOf(penBetween(a, b), kSilhouette));
         return line;
     }
     if (a.body == kNothing) return line;
-    const float nearer = std::min(a.depth, b.depth);
-    const float slope = std::max(0.08f, std::min(a.slope, b.slope));
-    if (std::abs(a.depth - b.depth) > kGapShare * nearer / slope) {
+    if (std::abs(a.depth - b.depth) > mostStep(std::min(a.depth, b.depth), std::min(a.slope, b.slope))) {
         add({kGap, Pen::kPlain});
     } else if (a.seam != b.seam) {
         add({kSeam, Pen::kPlain});
@@ -112,9 +151,9 @@ Grid<Ink> linesOf(const Stages& stages, const Grid<Look>& looks) {
     Grid<Ink> lines(looks.area);
     lines.fill([&](int x, int y) {
         Ink line;
-        if (x + 1 < looks.area.right) line = lineBetween(stages, looks.at(x, y), looks.at(x + 1, y));
+        if (x + 1 < looks.area.right) line = lineAt(stages, looks, {x, y, 1, 0});
         if (y + 1 < looks.area.bottom) {
-            const Ink below = lineBetween(stages, looks.at(x, y), looks.at(x, y + 1));
+            const Ink below = lineAt(stages, looks, {x, y, 0, 1});
             if (below.share > line.share) line = below;
         }
         return line;
@@ -163,7 +202,7 @@ PixelArea PixelArea::within(const PixelArea& other) const {
 }
 
 int outlineReach(float width) {
-    return placeReach(width) / kPerPixel + 1;
+    return (placeReach(width) + kBeside) / kPerPixel + 1;
 }
 
 std::vector<Ink> outlineInk(const Stages& stages, const Camera& camera, const OutlineOptions& options,
@@ -172,7 +211,7 @@ std::vector<Ink> outlineInk(const Stages& stages, const Camera& camera, const Ou
         return PixelArea{kPerPixel * pixels.left, kPerPixel * pixels.top, kPerPixel * pixels.right,
                          kPerPixel * pixels.bottom};
     };
-    const int beside = placeReach(options.width) + 1;  // a line lies between two rows
+    const int beside = placeReach(options.width) + kBeside + 1;  // a line lies between two rows
     Grid<Look> looks(places(area).grownBy(beside).within(places(options.picture)));
     looks.fill([&](int x, int y) {
         return lookAlong(stages, camera.rayThrough((static_cast<float>(x) + 0.5f) / kPerPixel,

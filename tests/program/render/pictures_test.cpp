@@ -53,6 +53,12 @@ bool isWhite(const Colour& pixel) {
     return pixel.minCoeff() > 0.999f;
 }
 
+std::function<bool(const Colour&)> isLike(Pen pen) {
+    return [colour = penColour(pen)](const Colour& pixel) {
+        return (pixel - colour).cwiseAbs().maxCoeff() < 0.08f;
+    };
+}
+
 /// The number of pixels beside the legend with this property.
 int count(const Image& image, const std::function<bool(const Colour&)>& isSo) {
     int counted = 0;
@@ -257,11 +263,6 @@ BOOST_AUTO_TEST_CASE(the_way_in_contact_has_the_colour_of_contact) {
 }
 
 BOOST_AUTO_TEST_CASE(start_and_goal_have_outlines_of_their_own_colours) {
-    const auto isLike = [](Pen pen) {
-        return [colour = penColour(pen)](const Colour& pixel) {
-            return (pixel - colour).cwiseAbs().maxCoeff() < 0.08f;
-        };
-    };
     Shot shot;
     shot.poses = {{shot.upright(-60), 3}, {shot.upright(60), 3}};
     for (const bool isGhost : {false, true}) {
@@ -275,6 +276,32 @@ BOOST_AUTO_TEST_CASE(start_and_goal_have_outlines_of_their_own_colours) {
         BOOST_TEST(count(told, isLike(Pen::kStart)) > 50);
         BOOST_TEST(count(told, isLike(Pen::kGoal)) > 20);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_outline_of_a_start_is_left_out_along_a_part_close_to_it) {
+    for (const double farther : {0.0, 0.01, 0.1, 5.0}) {
+        Shot shot;
+        shot.poses = {{shot.upright(-60), 0, false, true},
+                      {shot.upright(-60 - farther), 3, true, false, PoseRole::kStart}};
+        const int outline = count(shot.taken(), isLike(Pen::kStart));
+        BOOST_TEST((farther < 1 ? outline == 0 : outline > 30), farther << ": " << outline);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_hides_a_face_that_it_has_in_common_with_the_wall) {
+    Shot shot;
+    shot.options.view = "left";
+    PartState flush = shot.window.problem.start;
+    flush.rotation.setIdentity();
+    const double front = boundingBox(shot.window.wallMesh).min().x();
+    std::vector<int> outlines;
+    for (const double inFront : {0.0, 0.5}) {
+        flush.position = Vector3(front - inFront + 30, 60, 5);  // the plate is 60 long
+        shot.poses = {{flush, 0, false, true, PoseRole::kStart}};
+        outlines.push_back(count(shot.taken(), isLike(Pen::kStart)));
+    }
+    BOOST_TEST(outlines[1] > 20);
+    BOOST_TEST(std::abs(outlines[0] - outlines[1]) <= outlines[1] / 10, outlines[0] << " " << outlines[1]);
 }
 
 BOOST_AUTO_TEST_CASE(axes_are_drawn_in_the_lower_left_corner) {
