@@ -111,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> libraryVersions() {
 }
 
 std::string completionScript(const std::vector<std::string>& subcommands) {
-    return R"(# Completes the words of clearway, clearway-scene and clearway-study in bash: . <(clearway --completion)
+    return R"(# Completes the words of clearway, clearway-cad, clearway-scene and clearway-study in bash: . <(clearway --completion)
 _clearway() {
     local word=${COMP_WORDS[COMP_CWORD]} subcommands=")" +
            joined(subcommands, " ") + R"( help" command=("$1" "${COMP_WORDS[1]}")
@@ -126,7 +126,7 @@ _clearway() {
            joined(topicNames(), " ") + R"(" -- "$word"))
     fi
 }
-complete -o default -F _clearway clearway clearway-scene clearway-study
+complete -o default -F _clearway clearway clearway-cad clearway-scene clearway-study
 )";
 }
 

@@ -253,7 +253,8 @@ BOOST_AUTO_TEST_CASE(pages_for_readers_and_shells_are_printed) {
     BOOST_TEST(holds(runIn(folder, "plan --list-options").out, "--seed\n"));
     BOOST_TEST(holds(runIn(folder, "check --man").out, ".TH CLEARWAY-CHECK 1"));
     BOOST_TEST(holds(runIn(folder, "--man").out, ".TH CLEARWAY 1", "\n.B clearway plan\n"));
-    BOOST_TEST(holds(runIn(folder, "--completion").out, "complete", "-F _clearway clearway clearway-scene"));
+    BOOST_TEST(holds(runIn(folder, "--completion").out, "complete",
+                     "-F _clearway clearway clearway-cad clearway-scene"));
 }
 
 Mesh assembly(const std::vector<Mesh>& parts) {
