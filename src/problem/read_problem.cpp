@@ -1,7 +1,5 @@
 // Reads .cfg files: [problem], [benchmark] and [planner] as OMPL.app's benchmark program does, and clearway's
 // own [clearway].
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
@@ -134,13 +132,10 @@ double readAngle(ConfigValues& values, const std::string& state, bool isClearway
                       "this key in the section [clearway], or [problem] " + state + ".theta in radians");
     const double angle = values.requiredNumber(theta, expected);
     if (std::abs(angle) <= 2 * M_PI * (1 + kTurnRounding)) return angle;
-    const std::string asDegrees = fmt::format("{:.8g}", angle * M_PI / 180);
-    if (isClearways) {
-        values.refuse(theta, "radians, at most 2 pi (if these are degrees: " + asDegrees +
-                                 ", or [clearway] " + state + ".degrees = " + shortNumber(angle) + ")");
-    }
+    const std::string inDegrees = "[clearway] " + state + ".degrees = " + shortNumber(angle);
+    if (isClearways) values.refuse(theta, "radians, at most 2 pi (degrees are written " + inDegrees + ")");
     warnings.push_back(values.placeOf(theta) + shown(theta) + " = " + shortNumber(angle) +
-                       " is in radians, more than a turn; if it is in degrees, write " + asDegrees);
+                       " is in radians, more than a turn; degrees are written " + inDegrees);
     return angle;
 }
 

@@ -255,9 +255,9 @@ BOOST_AUTO_TEST_CASE(angles_are_in_radians_or_say_that_they_are_in_degrees) {
     requireRefused(kSpatial + "[clearway]\nstart.degrees = 90\n",
                    {"20:", "start.degrees is '90'", "start.theta, not both"});
     const std::string turns = with(kSpatial, "start.theta", "start.theta = 90");
-    requireRefused(turns + "[clearway]\nmargin = 0\n",
-                   {"11:", "start.theta is '90'", "radians", "1.5707963", "start.degrees = 90"});
-    requireWarned(turns, {{"in radians, more than a turn", "1.57"}});
+    requireRefused(turns + "[clearway]\nmargin = 0\n", {"11:", "start.theta is '90'", "radians",
+                                                        "degrees are written [clearway] start.degrees = 90"});
+    requireWarned(turns, {{"in radians, more than a turn", "[clearway] start.degrees = 90"}});
     requireWarned(with(kSpatial, "start.theta", "start.theta = -6.2831853071795865"), {});
     requireWarned(with(kSpatial, "goal.theta", "goal.theta = 6.2832"), {});  // people round 2 pi
     requireRefused(with(kSpatial, "goal.theta", "") + "[clearway]\ngoal = outside\ngoal.degrees = 5\n",
