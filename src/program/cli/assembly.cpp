@@ -157,10 +157,10 @@ std::string pairRow(const PartPair& pair) {
     const std::string names = fmt::format("'{}' and '{}'", pair.a, pair.b), at = " at " + shownPlace(pair.at);
     switch (pair.kind) {
         case PartPair::Kind::kOverlap:
-            return fmt::format("{}, {}{}; free by {} along {}", names,
+            return fmt::format("{}, {}{}; pushed through '{}', '{}' is out of it {} along {}", names,
                                pair.doCoincide ? "surfaces coincide around a shared volume"
                                                : shownLength(pair.depth->upper) + " deep",
-                               at, shownLength(pair.escape->upper), pair.escapeDirection);
+                               at, pair.a, pair.b, shownLength(pair.escape->upper), pair.escapeDirection);
         case PartPair::Kind::kContact:
             return fmt::format(
                 "{}, {} around {}{}", names,
