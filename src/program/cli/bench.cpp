@@ -164,11 +164,15 @@ std::string logFile(const BenchArguments& given, const Problem& problem) {
 Benchmark runShown(const Problem& problem, const Scene& scene, BenchmarkOptions options) {
     std::optional<ElapsedLine> line;
     options.tell = [&](const study::BenchmarkProgress& at) {
-        line.reset();
         const std::string left = std::isfinite(at.left)
                                      ? fmt::format(", about {:.0f} s left at its start", std::floor(at.left))
                                      : "";
-        line.emplace(fmt::format("run {} of {}, {}{}, running", at.run + 1, at.runs, at.planner, left));
+        const std::string words =
+            fmt::format("run {} of {}, {}{}, in all", at.run + 1, at.runs, at.planner, left);
+        if (line)
+            line->tell(words);
+        else
+            line.emplace(words);
     };
     return study::runBenchmark(problem, scene, options);
 }

@@ -162,7 +162,7 @@ void tellEscapes(const Problem& problem, ProblemScenes& scenes) {
         fact.value.push_back(
             {{"direction", direction}, {"lower", toJson(way.lower)}, {"upper", toJson(way.upper)}});
     }
-    fact.shown = "moved by " + fact.shown;
+    fact.shown = "pushed through its obstacles by " + fact.shown;
     tell({fact});
 }
 
@@ -235,7 +235,9 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
     printRows(deflectionRows());
     if (componentsOf(assembly).size() < 2) return printRow("parts", "one alone: there is nothing to compare");
     const auto begin = Clock::now();
+    std::optional<ElapsedLine> elapsed("comparing parts");
     const std::vector<PartPair> pairs = pairsOf(assembly, widest);
+    elapsed.reset();
     facts()["pairs_seconds"] = secondsSince(begin);
     tellPairs(pairs, widest, csv);
     if (!picture.empty()) drawPairs(assembly, pairs, picture);

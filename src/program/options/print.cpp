@@ -206,7 +206,8 @@ void requirePrinted() {
     if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
 }
 
-ElapsedLine::ElapsedLine(std::string what) : what_(std::move(what)), thread_([this] { run(); }) {}
+ElapsedLine::ElapsedLine(std::string what, std::chrono::milliseconds pipedPeriod)
+    : what_(std::move(what)), thread_([this, pipedPeriod] { run(pipedPeriod); }) {}
 
 ElapsedLine::~ElapsedLine() {
     {
@@ -222,13 +223,12 @@ void ElapsedLine::tell(std::string what) {
     what_ = std::move(what);
 }
 
-void ElapsedLine::run() {
+void ElapsedLine::run(std::chrono::milliseconds pipedPeriod) {
     const bool isTerminal = isatty(STDERR_FILENO);
-    const int period = isTerminal ? 1 : 10;
+    const std::chrono::milliseconds period = isTerminal ? std::chrono::seconds(1) : pipedPeriod;
     std::unique_lock<std::mutex> lock(mutex_);
-    for (int seconds = period;
-         !ended_.wait_for(lock, std::chrono::seconds(period), [this] { return isEnded_; });
-         seconds += period) {
+    for (auto time = period; !ended_.wait_for(lock, period, [this] { return isEnded_; }); time += period) {
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time).count();
         if (isTerminal)
             std::cerr << '\r' << what_ << ' ' << seconds << " s\033[K" << std::flush;
         else

@@ -1,6 +1,7 @@
 // How the program shows its work: labelled rows on standard output; warnings and a running clock on stderr.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <iosfwd>
@@ -95,14 +96,15 @@ void requirePrinted();
 /// seconds does.
 class ElapsedLine {
   public:
-    explicit ElapsedLine(std::string what);
+    /// pipedPeriod: between two lines where stderr is no terminal.
+    explicit ElapsedLine(std::string what, std::chrono::milliseconds pipedPeriod = std::chrono::seconds(10));
     ~ElapsedLine();               ///< wipes the line
     void tell(std::string what);  ///< from now on the line says this
     ElapsedLine(const ElapsedLine&) = delete;
     ElapsedLine& operator=(const ElapsedLine&) = delete;
 
   private:
-    void run();
+    void run(std::chrono::milliseconds pipedPeriod);
 
     std::string what_;
     std::mutex mutex_;

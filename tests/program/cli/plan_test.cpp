@@ -65,6 +65,9 @@ BOOST_AUTO_TEST_CASE(options_reach_the_planner) {
     BOOST_TEST(facts["found_by"] == "RRT");
     BOOST_TEST(facts["obstacles"][0]["margin"] == 1.0);
     BOOST_TEST(facts["audit"]["verdict"] == "valid");
+    const Outcome twins =
+        runIn(folder, "plan window.cfg --path out.path --time 100 --quick --planner RRTConnect --threads 2");
+    BOOST_TEST(row(twins, "planner") == "2 RRTConnect, seed 1");
     const Outcome floored = runIn(folder, added("--floor 0.5 --ompl-weights"));
     BOOST_TEST(row(floored, "floor") == "0.5");
     BOOST_TEST(floored.code == 0, floored.err);

@@ -1,8 +1,15 @@
+#include <unistd.h>
+
+#include <chrono>
 #include <cstdlib>
+#include <iostream>
 #include <regex>
+#include <sstream>
+#include <thread>
 
 #include "clearway/targets.h"
 #include "program/cli/run_program.h"
+#include "program/options/print.h"
 
 namespace clearway::testing {
 
@@ -21,6 +28,18 @@ BOOST_AUTO_TEST_CASE(every_subcommand_that_help_lists_has_its_own_help) {
         BOOST_TEST(outcome.out.find("Usage: clearway " + name + " ") == 0, outcome.out);
     }
     BOOST_TEST(listed == 7);
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_told_line_by_line_where_stderr_is_no_terminal) {
+    if (isatty(STDERR_FILENO)) return BOOST_TEST_MESSAGE("not tried: stderr is a terminal");
+    std::ostringstream told;
+    std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+    {
+        const cli::ElapsedLine elapsed("waiting", std::chrono::milliseconds(300));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1600));
+    }
+    std::cerr.rdbuf(before);
+    BOOST_TEST(holds(told.str(), "waiting 0 s\nwaiting 0 s\nwaiting 0 s\nwaiting 1 s\n"), told.str());
 }
 
 BOOST_AUTO_TEST_CASE(wrong_subcommands_are_refused_with_the_known_ones) {
