@@ -41,7 +41,8 @@ ChosenView chooseView(const render::RayScene& obstacles, const ViewRequest& requ
     ChosenView best;
     Vector3f usual = Vector3f::Zero();
     double bestWorth = -1;
-    for (const Vector3f& direction : triedDirections()) {
+    for (Vector3f direction : triedDirections()) {
+        if (request.isSquare) direction = (direction - direction.dot(along) * along).stableNormalized();
         if (usual.isZero()) usual = direction;
         const double visible = visibleShare(obstacles, request, direction);
         const double worth = visible + kSideWorth * direction.cross(along).norm() +

@@ -13,6 +13,7 @@ struct ViewRequest {
     Eigen::Vector3f centre;               ///< the camera looks here
     float distance = 0;                   ///< of the camera from the centre, > 0
     Eigen::Vector3f along;  ///< a line that is seen best from its side, of any length; 0 for none
+    bool isSquare = false;  ///< chooseView looks at it exactly from its side
 };
 
 struct ChosenView {

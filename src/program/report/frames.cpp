@@ -3,10 +3,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace clearway::report {
 
 namespace {
+
+/// A turn is shown at every kTurnStep, or less finely where that would take more than kMostTurnSteps.
+constexpr double kTurnStep = 6 * M_PI / 180;  ///< radians
+constexpr double kMostTurnSteps = 1500;
+
+std::vector<double> turnPlaces(const PathLine& line) {
+    const std::vector<PartState>& states = line.states();
+    std::vector<double> turns;
+    for (std::size_t i = 0; i + 1 < states.size(); ++i)
+        turns.push_back(states[i].rotation.angularDistance(states[i + 1].rotation));
+    const double all = std::accumulate(turns.begin(), turns.end(), 0.0);
+    std::vector<double> places;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const double steps = std::ceil(turns[i] / std::max(kTurnStep, all / kMostTurnSteps));
+        for (double k = 1; k < steps; ++k) places.push_back(shareIn(line, i, k / steps));
+    }
+    return places;
+}
 
 ReportFrame frameAt(double share, const PartState& state, const SceneClearance& clearance) {
     ReportFrame frame;
@@ -29,6 +48,8 @@ std::vector<ReportFrame> framesAlong(const PathLine& line, const SceneClearance&
     std::vector<double> shares = evenShares(count);
     shares.insert(shares.end(), line.shares().begin(), line.shares().end());
     shares.insert(shares.end(), places.begin(), places.end());
+    const std::vector<double> turns = turnPlaces(line);
+    shares.insert(shares.end(), turns.begin(), turns.end());
     std::sort(shares.begin(), shares.end());
     shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
     std::vector<ReportFrame> frames;

@@ -19,7 +19,8 @@ struct ReportFrame {
     std::string partMesh, environmentMesh;  ///< the closest pair; empty when unknown
 };
 
-/// Frames at every state of the path, at the given places, and at `count` evenly spaced shares.
+/// Frames at every state of the path, at the given places, at `count` evenly spaced shares, and as many more as
+/// show how the part turns.
 std::vector<ReportFrame> framesAlong(const PathLine& line, const SceneClearance& clearance, std::size_t count,
                                      const std::vector<double>& places = {});
 

@@ -32,7 +32,6 @@ constexpr std::size_t kMostMeasured = 80;
 constexpr std::size_t kViewPlaces = 24, kViewVertices = 12;
 /// Distance of the camera in radii of what it is to show; about that of the page, which has an angle of 30 degrees.
 constexpr double kCameraDistance = 4;
-constexpr double kTightRadius = 0.15;  ///< surroundings of the closest pair, of the part's diagonal
 
 FloatJson pointOf(const Vector3& point) {
     return {point.x(), point.y(), point.z()};
@@ -126,6 +125,14 @@ std::string noteOn(const char* what, const PageMesh& page, std::size_t all, cons
     return text + ". ";
 }
 
+render::Surface surfaceOf(const PageMesh& mesh, const Vector3& origin) {
+    render::Surface surface;
+    for (const auto& stored : mesh.positions)
+        surface.vertices.push_back((mesh.placeOf(stored) - origin).cast<float>());
+    surface.triangles = mesh.triangles;
+    return surface;
+}
+
 class PageMaker {
   public:
     explicit PageMaker(const ReportInput& input)
@@ -217,16 +224,11 @@ class PageMaker {
         return points;
     }
 
+    Eigen::Vector3f onPage(const Vector3& point) const { return (point - origin_).cast<float>(); }
+
     void addViews(FloatJson& json) const {
-        const auto onPage = [&](const Vector3& point) {
-            return Eigen::Vector3f((point - origin_).cast<float>());
-        };
         render::RayScene rays;
-        render::Surface surface;
-        for (const auto& stored : environment_.positions)
-            surface.vertices.push_back(onPage(environment_.placeOf(stored)));
-        surface.triangles = environment_.triangles;
-        rays.addBody(rays.addShape(surface), {});
+        rays.addBody(rays.addShape(surfaceOf(environment_, origin_)), {});
         rays.finish();
 
         ViewRequest way;
@@ -251,12 +253,23 @@ class PageMaker {
         for (const Vector3& point : viewPoints(tight.X_environmentPart))
             tightPart.points.push_back(onPage(point));
         json["view"]["tightVisible"] = visibleShare(rays, tightPart, chosen.direction);
-        const SceneDistance& pair = tight.clearance.nearest;
-        const Vector3 middle = 0.5 * (pair.witness->pointOnPart + pair.witness->pointOnEnvironment);
-        const Vector3 gap = pair.witness->pointOnEnvironment - pair.witness->pointOnPart;
-        ViewRequest close{{onPage(middle)}, onPage(middle), 0, gap.cast<float>()};
-        close.distance = static_cast<float>(kCameraDistance * kTightRadius * part_.box.diagonal().norm());
-        json["view"]["tightDirection"] = pointOf(chooseView(rays, close).direction.cast<double>());
+        addTightView(tight, rays, json["view"]);
+    }
+
+    /// Looks along the gap of the closest pair. Tells whether the environment or the part hides it all around.
+    void addTightView(const ReportFrame& tight, render::RayScene& rays, FloatJson& view) const {
+        const Pose& X = tight.X_environmentPart;
+        const Vector3 partMiddle = part_.box.center();
+        rays.addBody(rays.addShape(surfaceOf(part_, partMiddle)),
+                     {X.rotation.cast<float>(), onPage(X * partMiddle)});
+        rays.finish();
+        const auto& pair = *tight.clearance.nearest.witness;
+        const Eigen::Vector3f middle = onPage(0.5 * (pair.pointOnPart + pair.pointOnEnvironment));
+        const auto far = static_cast<float>(kCameraDistance * environment_.box.diagonal().norm());
+        const Vector3 gap = pair.pointOnEnvironment - pair.pointOnPart;
+        const ChosenView chosen = chooseView(rays, {{middle}, middle, far, gap.cast<float>(), true});
+        view["tightDirection"] = pointOf(chosen.direction.cast<double>());
+        view["isTightHidden"] = chosen.visible == 0;
     }
 
     std::string note() const {

@@ -37,7 +37,7 @@ class Page:
 
         self.process = subprocess.Popen(
             [find_chromium(), "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--remote-debugging-pipe",
-             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run",
+             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
              "--disable-background-networking", "--disable-extensions", "--disable-component-update",
              f"--user-data-dir={self.profile}", f"--window-size={width},{height}", *flags, "about:blank"],
             preexec_fn=use_pipes, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -61,6 +61,21 @@ BOOST_AUTO_TEST_CASE(a_way_is_seen_from_its_side) {
                    0.6f);
 }
 
+BOOST_AUTO_TEST_CASE(a_gap_is_looked_at_exactly_along_itself) {
+    const double half = 0.001;
+    const Plates gap(
+        {Box(Vector3(-9, -9, half), Vector3(9, 9, 5)), Box(Vector3(-9, -9, -5), Vector3(9, 9, -half))});
+    const ViewRequest seen{{Vector3f::Zero()}, Vector3f::Zero(), 40, Vector3f(0, 0, 0.002f), true};
+    const ChosenView view = chooseView(gap.rays, seen);
+    BOOST_TEST(view.visible == 1);
+    BOOST_TEST(std::abs(view.direction.z()) < 1e-6f);
+    const Plates shut(
+        {Box(Vector3(-9, -9, half), Vector3(9, 9, 5)), Box(Vector3(-9, -9, -5), Vector3(9, 9, -half)),
+         Box(Vector3(-9, -9, -1), Vector3(-8, 9, 1)), Box(Vector3(8, -9, -1), Vector3(9, 9, 1)),
+         Box(Vector3(-9, -9, -1), Vector3(9, -8, 1)), Box(Vector3(-9, 8, -1), Vector3(9, 9, 1))});
+    BOOST_TEST(chooseView(shut.rays, seen).visible == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

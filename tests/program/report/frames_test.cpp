@@ -44,6 +44,27 @@ BOOST_AUTO_TEST_CASE(every_state_of_the_path_is_a_frame_and_frames_are_in_order)
     BOOST_TEST(states == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_that_turns_while_it_goes_far_is_shown_at_every_few_degrees) {
+    Way way;
+    way.path.resize(1);
+    for (int i = 1; i <= 9; ++i) {  // three turns, in the last thousandth of the way
+        PartState state = way.path[0];
+        state.position.x() -= 1e6;
+        state.rotation = Eigen::AngleAxisd(i * 2 * M_PI / 3, Vector3::UnitZ());
+        way.path.push_back(state);
+    }
+    way.path[1].rotation = way.path[0].rotation;
+    const auto frames = framesAlong(way.line(), SceneClearance(way.window.scene), 20);
+    double most = 0;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        const Eigen::AngleAxisd turn(frames[i - 1].X_environmentPart.rotation.transpose() *
+                                     frames[i].X_environmentPart.rotation);
+        most = std::max(most, turn.angle());
+    }
+    BOOST_TEST(most < 6.1 * M_PI / 180);
+    BOOST_TEST(frames.size() < 250u);
+}
+
 BOOST_AUTO_TEST_CASE(where_a_path_is_tightest_and_where_it_collides_are_frames) {
     Way way;
     const SceneClearance clearance(way.window.scene);

@@ -155,7 +155,8 @@ def writePeg(folder):
     with open(os.path.join(folder, "peg.cfg"), "w") as out:
         out.write(f"[problem]\nrobot = peg.obj\nworld = plate.obj\n{ends}[clearway]\nreading = stored\n")
     with open(os.path.join(folder, "peg.path"), "w") as out:
-        out.write("0 0 60 0 0 0 1\n0 0 -50 0 0 0 1\n60 0 -50 0 0 0 1\n")
+        out.write("0 0 60 0 0 0 1\n0 0 60 0 0 0.866025 0.5\n0 0 60 0 0 0.866025 -0.5\n0 0 60 0 0 0 -1\n")  # one turn
+        out.write("0 0 -50 0 0 0 1\n60 0 -50 0 0 0 1\n")
     return os.path.join(folder, "peg.cfg"), os.path.join(folder, "peg.path")
 
 
@@ -241,6 +242,84 @@ def testHover(page):
     require(page.run("clearwayReport.data.environment.objects.findIndex((o, i) => clearwayReport.view.wall.body.runs[i].isHidden)") == 0,
             "expected the key h to hide what is under the pointer")
     page.press("a", "a")
+
+
+def testTurning(page):
+    """A turn is shown at every few degrees, in two seconds, and the degrees are told."""
+    last = page.run("clearwayReport.frames[clearwayReport.frames.length - 1]")
+    require(359 < last["turned"] < 361, f"the part turns by {last['turned']} degrees, expected 360")
+    most = page.run("Math.max(...clearwayReport.frames.slice(1).map((frame, i) => frame.turned - clearwayReport.frames[i].turned))")
+    require(most < 6.5, f"the part turns by {most} degrees from one place to the next, expected at most 6")
+    time = page.run("clearwayReport.frames.find((frame) => frame.turned > 359).time")
+    require(time > 1.9, f"the turn takes {time} s, expected 2")
+    page.run("clearwayReport.choose(clearwayReport.frames.findIndex((frame) => frame.turned > 179))")
+    readout = page.run("document.getElementById('readout').textContent")
+    require("\u00b0 of 360\u00b0" in readout, f"the readout is '{readout}', expected the degrees turned")
+    page.run("clearwayReport.choose(0)")
+
+
+def testSection(page):
+    """Where the closest pair's gap is hidden, the tightest place is cut open: part, gap and obstacle differ in colour."""
+    require(page.run("clearwayReport.data.view.isTightHidden"), "expected a gap that is hidden")
+    for button, axis in (("tightest", "gap"), ("way", "")):
+        page.run(f"document.getElementById('{button}').click()")
+        shown = page.run("document.getElementById('cut-axis').value")
+        require(shown == axis, f"the button {button} cuts '{shown}', expected '{axis}'")
+    page.run("document.getElementById('tightest').click()")
+    colours = page.run("""(() => {
+        const report = clearwayReport, gl = report.view.renderer.getContext(), frame = report.frames[report.frame];
+        const [part, wall] = frame.pair.map((point) => report.placeInView(point)), gap = [wall[0] - part[0], wall[1] - part[1]];
+        const colourAt = (share, beside) => {  // beside: the line between the pair, in gaps
+            const x = part[0] + share * gap[0] - beside * gap[1], y = part[1] + share * gap[1] + beside * gap[0], pixel = new Uint8Array(4);
+            gl.readPixels(Math.round(x), Math.round(report.view.container.clientHeight - y), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+            return pixel.slice(0, 3).join(' ');
+        };
+        report.view.redraw();
+        return [-2, 2].map((beside) => [-2, 0.5, 3].map((share) => colourAt(share, beside)));
+    })()""")
+    require(any(len(set(three)) == 3 for three in colours), f"part, gap and obstacle have the colours {colours}, expected three")
+
+
+def writeTray(folder):
+    """Writes a problem: a battery in a closed tray, 0.2 from its walls, with a lid above."""
+    writeBoxes(os.path.join(folder, "battery.obj"), [("battery", (0, 0, 0), (30, 60, 10))])
+    writeBoxes(os.path.join(folder, "tray.obj"), [
+        ("a_tray_with_a_name_that_is_long", (-5, -5, -5), (35, 65, -0.1)), ("left", (-5, -5, -0.1), (-0.2, 65, 12)),
+        ("right", (30.2, -5, -0.1), (35, 65, 12)), ("front", (-0.2, -5, -0.1), (30.2, -0.2, 12)),
+        ("back", (-0.2, 60.2, -0.1), (30.2, 65, 12)), ("lid", (-5, -5, 12), (35, 65, 14))])
+    with open(os.path.join(folder, "tray.cfg"), "w") as out:
+        out.write("[problem]\nrobot = battery.obj\nworld = tray.obj\n" + "".join(
+            f"start.{key} = {value}\n" for key, value in zip(("x", "y", "z", "axis.x", "axis.y", "axis.z", "theta"), (0, 0, 0, 0, 0, 1, 0))) +
+            "[clearway]\nreading = stored\ngoal = outside\nunit = mm\ncontact.start = *tray*, 0.5\n")
+    with open(os.path.join(folder, "tray.path"), "w") as out:
+        out.write("0 0 0 0 0 0 1\n0 0 1 0 0 0 1\n")
+    return os.path.join(folder, "tray.cfg"), os.path.join(folder, "tray.path")
+
+
+def testWidths(page, width):
+    """Nothing reaches beyond the page's or the panels' borders."""
+    beyond = page.run("""[document.documentElement, ...document.querySelectorAll('body *')]
+        .filter((e) => e.clientWidth && e.scrollWidth > e.clientWidth + 1).map((e) => `${e.tagName} ${e.id} ${e.className}`)""")
+    require(not beyond, f"{beyond} are wider than their places in a page of {width}")
+    right = page.run("Math.max(...[...document.querySelectorAll('body *')].map((e) => e.getBoundingClientRect().right))")
+    require(right <= width, f"something reaches to {right} in a page of {width}")
+
+
+def testTray(program, folder):
+    file = os.path.join(folder, "tray.html")
+    subprocess.run([program, "check", *writeTray(folder), "--report", file], stdout=subprocess.DEVNULL)
+    page = browser.Page(file)
+    try:
+        testWidths(page, 1280)
+        testSection(page)
+        page.ask("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
+        nextFrames(page, 3)
+        testWidths(page, 390)
+        page.press("?", "?")
+        testWidths(page, 390)
+        require(not page.errors, f"the console shows {page.errors}")
+    finally:
+        page.close()
 
 
 def testKeyboard(page):
@@ -341,7 +420,7 @@ def testPeg(program, folder):
     subprocess.run([program, "check", *writePeg(folder), "--report", file], stdout=subprocess.DEVNULL)  # the path collides
     page = browser.Page(file, 960, 600)  # fewer pixels take less time
     try:
-        for test in (testFirstView, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
+        for test in (testFirstView, testTurning, testSwitches, testObstacles, testHover, testKeyboard, testContact, testTightest,
                      testProfileModes):
             test(page)
         require(not page.errors, f"the console shows {page.errors}")
@@ -373,6 +452,7 @@ def main():
     program, problem, path = sys.argv[1:4]
     with tempfile.TemporaryDirectory() as folder:
         testPeg(program, folder)
+        testTray(program, folder)
         testPage(program, problem, path, folder)
         if not os.environ.get("CLEARWAY_FULL"):
             return

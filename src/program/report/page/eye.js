@@ -97,9 +97,8 @@ class Eye {
     this.fly(centre, back.multiplyScalar(distance));
   }
 
-  // Flies to where a ball fills the view; direction: from where, or null to keep the direction.
+  // Flies to where a ball fills the view, seen from a direction.
   flyToBall(centre, radius, direction) {
-    const back = direction ? vector(direction) : this.offset;
-    this.fly(centre, back.setLength(radius / (this.slope * Math.min(1, this.camera.aspect))));
+    this.fly(centre, direction.clone().setLength(radius / (this.slope * Math.min(1, this.camera.aspect))));
   }
 }

@@ -123,8 +123,9 @@ class Wall {
   constructor(scene) {
     this.body = new Body(data.environment);
     const shared = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, side: THREE.DoubleSide };
-    const half = { transparent: true, opacity: 0.5, premultipliedAlpha: true, blending: THREE.NoBlending };  // see newMix
+    const half = { transparent: true, forceSinglePass: true, opacity: 0.5, premultipliedAlpha: true, blending: THREE.NoBlending };  // see newMix
     this.faces = new THREE.MeshLambertMaterial({ ...shared, ...half, flatShading: true });
+    this.faces.onBeforeCompile = paintSections;
     this.lines = new THREE.LineBasicMaterial();
     this.hiddenLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity: 0.22 });
     this.pointedLines = new THREE.LineBasicMaterial({ depthTest: false, transparent: true });
@@ -153,14 +154,16 @@ class Wall {
     this.pointed[1].geometry.setDrawRange(run.end, run.ends);
   }
 
-  cut(axis, share, isFlipped) {
-    this.plane = null;
-    if (axis) {
-      const i = 'xyz'.indexOf(axis);
-      const place = data.environment.low[i] + share * data.environment.extent[i];
-      this.plane = new THREE.Plane(new THREE.Vector3().setComponent(i, isFlipped ? 1 : -1), isFlipped ? -place : place);
-    }
-    for (const material of this.materials) material.clippingPlanes = this.plane ? [this.plane] : [];
+  planeAcross(axis, share, isFlipped) {
+    const i = 'xyz'.indexOf(axis);
+    const place = data.environment.low[i] + share * data.environment.extent[i];
+    return new THREE.Plane(new THREE.Vector3().setComponent(i, isFlipped ? 1 : -1), isFlipped ? -place : place);
+  }
+
+  // Leaves what is on the positive side of a plane, or everything for null.
+  cut(plane) {
+    this.plane = plane;
+    for (const material of this.materials) material.clippingPlanes = plane ? [plane] : [];
   }
 
   // The lengths along a ray between which the cut leaves the surroundings.

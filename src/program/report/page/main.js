@@ -31,19 +31,18 @@ function choose(i) {
   showClosest(frame);
 }
 
-// Plays the whole path in 12 seconds.
 function play(isPlaying) {
   state.isPlaying = isPlaying;
   element('play').textContent = isPlaying ? 'Pause' : 'Play';
   if (!isPlaying) return;
-  let place = state.frame >= frames.length - 1 ? 0 : frames[state.frame].share;
+  let time = state.frame >= frames.length - 1 ? 0 : frames[state.frame].time;
   let last = performance.now();
   const step = (now) => {
     if (!state.isPlaying) return;
-    place += (now - last) / 12000;
+    time += (now - last) / 1000;
     last = now;
     let i = state.frame >= frames.length - 1 ? 0 : state.frame;
-    while (i < frames.length - 1 && frames[i].share < place) ++i;
+    while (i < frames.length - 1 && frames[i].time < time) ++i;
     choose(i);
     if (i >= frames.length - 1) play(false); else requestAnimationFrame(step);
   };
@@ -58,13 +57,34 @@ function step(count) {
 function goTightest() {
   play(false);
   choose(data.tightest);
-  if (view) view.lookCloser(frames[data.tightest], data.view.tightDirection);
+  cutGap(Boolean(data.view.isTightHidden));
+  lookCloser(data.view.tightDirection);
+}
+
+function lookCloser(direction) {
+  view?.lookCloser(frames[state.frame], direction ? vector(direction) : view.eye.offset);
+  cut();
+}
+
+// Begins or ends the cut through the gap.
+function cutGap(isCut) {
+  const axis = element('cut-axis');
+  if (isCut === (axis.value === 'gap')) return;
+  axis.value = isCut ? 'gap' : '';
+  setOpacity(kFirstOpacity);
+  cut();
 }
 
 function cut() {
-  const axis = element('cut-axis').value;
-  element('cut-place').disabled = element('cut-flip').disabled = !axis;
-  if (view) view.cut(axis, element('cut-place').value / 1000, element('cut-flip').checked);
+  const axis = element('cut-axis').value, isGap = axis === 'gap';
+  element('cut-place').disabled = element('cut-flip').disabled = !axis || isGap;
+  if (isGap) setOpacity(100);
+  view?.cut(axis, element('cut-place').value / 1000, element('cut-flip').checked);
+}
+
+function fly(show) {
+  cutGap(false);
+  if (view) show(view);
 }
 
 function setLook(isDark) {
@@ -126,6 +146,8 @@ function savePicture() {
 // ---- controls and keys ----
 
 const kSeeThrough = 25;  // percent
+// Where the surroundings hide much of the way, or of the part where it is tightest, they begin see-through.
+const kFirstOpacity = data.view.visible < 0.8 || data.view.tightVisible < 0.5 ? kSeeThrough : 100;
 const toggle = (id) => () => element(id).click();
 const kKeys = [
   [' ', 'space', 'play or pause', toggle('play')],
@@ -177,9 +199,9 @@ const on = (id, type, action) => element(id).addEventListener(type, action);
 on('slider', 'input', () => { play(false); choose(Number(element('slider').value)); });
 on('play', 'click', () => play(!state.isPlaying));
 on('tightest', 'click', goTightest);
-on('closer', 'click', () => view?.lookCloser(frames[state.frame]));
-on('way', 'click', () => view?.showWay());
-on('whole', 'click', () => view?.showAll());
+on('closer', 'click', () => lookCloser());
+on('way', 'click', () => fly((to) => to.showWay()));
+on('whole', 'click', () => fly((to) => to.showAll()));
 on('opacity', 'input', () => setOpacity(element('opacity').value));
 on('ghosts', 'input', () => view?.showGhosts(element('ghosts').checked));
 on('edges', 'input', () => view?.showEdges(element('edges').checked));
@@ -189,7 +211,8 @@ on('copy', 'click', () => copyText(closestText(frames[state.frame])));
 on('look', 'click', () => applyLook(document.documentElement.dataset.look !== 'dark'));
 on('help-button', 'click', () => element('help').showModal());
 darkLook.addEventListener('change', () => applyLook(darkLook.matches));
-for (const id of ['cut-axis', 'cut-place', 'cut-flip']) on(id, 'input', cut);
+for (const id of ['cut-place', 'cut-flip']) on(id, 'input', cut);
+on('cut-axis', 'input', () => element('cut-axis').value === 'gap' ? lookCloser() : cut());
 // A button pressed by the pointer does not keep the focus, so that the space bar goes on playing.
 document.addEventListener('click', (event) => { if (event.detail > 0) event.target.closest('button')?.blur(); });
 
@@ -202,8 +225,7 @@ drawLegend();
 fillTables((i) => { play(false); choose(i); });
 choose(0);
 if (view) {
-  // Where the surroundings hide much of the way, or of the part where it is tightest, they begin see-through.
-  setOpacity(data.view.visible < 0.8 || data.view.tightVisible < 0.5 ? kSeeThrough : 100);
+  setOpacity(kFirstOpacity);
   view.showWay();
   cut();
 }

@@ -7,6 +7,12 @@ function bytesOf(base64) {
   return bytes.buffer;
 }
 
+// Paints the inner side of a mesh evenly where a cut shows it, as a section through the solid is painted.
+function paintSections(shader) {
+  shader.fragmentShader = shader.fragmentShader.replace('#include <opaque_fragment>',
+    'if (NUM_CLIPPING_PLANES > 0 && !gl_FrontFacing) outgoingLight = 0.8 * diffuse;\n#include <opaque_fragment>');
+}
+
 // A mesh of several objects, each of which owns a run of the triangles and one of the edges.
 class Body {
   constructor(mesh) {

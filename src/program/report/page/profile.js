@@ -14,8 +14,9 @@ class Profile {
   fit() {
     this.width = this.canvas.clientWidth;
     this.height = this.canvas.clientHeight;
-    this.plot = { left: 58, right: this.width - 12, top: 30, bottom: this.height - 18 };
+    this.plot = { left: 58, right: this.width - 12, top: 14, bottom: this.height - 18 };
     this.range = this.findRange();
+    element('profile-title').textContent = this.title;
     this.still = document.createElement('canvas');
     this.drawStill(contextOf(this.still, this.width, this.height));
     this.show(state.frame);
@@ -80,8 +81,6 @@ class Profile {
       context.beginPath(); context.moveTo(left, y); context.lineTo(right, y); context.stroke();
       context.fillText(digits(tick), left - 6, y + 4);
     }
-    context.textAlign = 'left';
-    context.fillText(this.title, left, 11);
     for (const percent of [0, 25, 50, 75, 100]) {
       context.textAlign = percent === 100 ? 'right' : 'center';
       context.fillText(percent + ' %', this.x(percent / 100), bottom + 14);

@@ -29,6 +29,24 @@ function pointText(text) {
   return text.split(' ').map((number) => digits(Math.abs(number) < noise ? 0 : Number(number))).join(', ');
 }
 
+// ---- the way ----
+
+const kPlaySeconds = 12, kDegreesPerSecond = 180;
+
+function degreesBetween(p, q) {
+  const chord = (sign) => Math.hypot(...p.map((value, i) => value - sign * q[i]));
+  return 720 / Math.PI * Math.asin(Math.min(1, chord(1) / 2, chord(-1) / 2));
+}
+
+// Each frame's degrees turned since the start, and its time when the path is played: at an even pace, but slower where
+// the part would turn faster than the eye can follow.
+frames.forEach((frame, i) => {
+  const last = frames[i - 1] ?? { ...frame, turned: 0, time: 0 };
+  const degrees = degreesBetween(last.rotation, frame.rotation);
+  frame.turned = last.turned + degrees;
+  frame.time = last.time + Math.max(kPlaySeconds * (frame.share - last.share), degrees / kDegreesPerSecond);
+});
+
 // ---- elements ----
 
 // Makes an element with properties and children, which are elements or texts.
@@ -91,7 +109,9 @@ function clearanceWords(frame) {
   return 'clearance ' + (frame.clearance === null ? 'out of range' : boundText(frame.clearance));
 }
 
-const placeWords = (frame) => `at ${digits(100 * frame.share)} % of the way`;
+const turnedInAll = Math.round(frames[frames.length - 1].turned);
+const placeWords = (frame) => `at ${digits(100 * frame.share)} % of the way` +
+  (turnedInAll ? `, turned ${Math.round(frame.turned)}\u00b0 of ${turnedInAll}\u00b0` : '');
 
 const marginOf = new Map(objects.map((object) => [object.name, object.margin ?? 0]));
 

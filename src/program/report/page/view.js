@@ -2,6 +2,8 @@
 
 const kScaleWidth = 120;  // pixels
 const kUsualDirection = [0.62, -1, 0.62];
+const kGapsInView = 20;  // gaps that a close look shows from its middle to its border
+const kLeastRadius = Math.max(...data.environment.extent, ...data.part.extent) / 300;  // of a close look: places of vertices are rounded
 const kPartRadius = new THREE.Vector3(...data.part.extent).length() / 2;
 
 // Without a graphics card, smooth edges cost most of the time of a redraw. They are left out where the part moves, and
@@ -58,8 +60,10 @@ class View {
     this.partMaterial = new THREE.MeshLambertMaterial(shared);
     this.partMaterial.onBeforeCompile = (shader) => {
       shader.uniforms.hatching = this.hatching;
+      paintSections(shader);
       shader.fragmentShader = 'uniform float hatching;\n' + shader.fragmentShader.replace('#include <dithering_fragment>',
-        `gl_FragColor.rgb *= 0.4 + 0.6 * smoothstep(0.0, 0.25, abs(dot(normal, normalize(vViewPosition))));  // outlines where it is round
+        `if (NUM_CLIPPING_PLANES == 0 || gl_FrontFacing)  // outlines where it is round
+          gl_FragColor.rgb *= 0.4 + 0.6 * smoothstep(0.0, 0.25, abs(dot(normal, normalize(vViewPosition))));
         if (hatching > 0.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / hatching) < 0.3) gl_FragColor.rgb = vec3(0.0);`);
     };
     this.partLines = new THREE.LineBasicMaterial();
@@ -136,17 +140,27 @@ class View {
   showWay() { this.see(this.wayPoints(), data.view.direction); }
   showAll() { this.see([...this.cornersOf(data.environment), ...this.wayPoints()], kUsualDirection); }
 
-  // Puts the closest pair in the middle, at a distance that shows its surroundings.
+  // Puts the closest pair in the middle, at a distance that shows its gap. The direction is turned until it is
+  // perpendicular to the gap.
   lookCloser(frame, direction) {
     if (!frame.pair) return;
-    const middle = vector(frame.pair[0]).lerp(vector(frame.pair[1]), 0.5);
-    this.eye.flyToBall(middle, Math.max(0.3 * kPartRadius, 2 * frame.distance), direction);
+    const [from, to] = frame.pair.map(vector), gap = to.clone().sub(from), middle = from.lerp(to, 0.5);
+    const back = [direction, vector(kUsualDirection), this.camera.up]
+      .map((tried) => tried.clone().normalize().projectOnPlane(gap)).find((tried) => tried.length() > 0.1).normalize();
+    const radius = Math.min(0.3 * kPartRadius, kGapsInView * frame.distance || Infinity);
+    this.gapPlane = new THREE.Plane().setFromNormalAndCoplanarPoint(back.clone().negate(), middle);
+    this.eye.flyToBall(middle, Math.max(radius, 2 * frame.distance, kLeastRadius), back);
   }
 
   // ---- what is shown ----
 
+  // axis: x, y, z, none, or gap, which cuts the part too, where the view last looked closer.
   cut(axis, share, isFlipped) {
-    this.wall.cut(axis, share, isFlipped);
+    const plane = axis === 'gap' ? this.gapPlane : axis && this.wall.planeAcross(axis, share, isFlipped);
+    const isSection = axis === 'gap' && Boolean(plane);
+    this.wall.cut(plane || null);
+    this.partMaterial.clippingPlanes = isSection ? [plane] : [];
+    for (const lines of [this.partLines, this.wall.lines, this.wall.hiddenLines]) lines.visible = !isSection;  // they lie behind it
     this.askRedrawOfAll();
   }
 
@@ -202,7 +216,8 @@ class View {
     const wall = this.still.opacity.value > 0 &&
       this.wall.body.hit(ray.origin.toArray(), ray.direction.toArray(), ...this.wall.uncut(ray));
     const inPart = ray.clone().applyMatrix4(this.part.matrixWorld.clone().invert());
-    const part = this.partBody.hit(inPart.origin.toArray(), inPart.direction.toArray(), 0, wall ? wall.along : Infinity);
+    const [from, to] = this.partMaterial.clippingPlanes?.length ? this.wall.uncut(ray) : [0, Infinity];
+    const part = this.partBody.hit(inPart.origin.toArray(), inPart.direction.toArray(), from, wall ? wall.along : to);
     if (part) return { name: `part: ${data.part.objects[part.object].name}` };
     return wall ? { name: objects[wall.object].name, object: wall.object } : null;
   }
