@@ -12,6 +12,8 @@
 
 namespace clearway {
 
+class Solids;
+
 /// The point of an obstacle that lies deepest below the part's surface.
 struct DeepestPoint {
     double lower = 0;                    ///< its depth is at least this; environment units
@@ -27,8 +29,8 @@ class OverlapMeter {
     /// does for a part that is not closed.
     explicit OverlapMeter(const Mesh& part);
 
-    /// Takes the model of the part, which the caller has built already.
-    OverlapMeter(const Mesh& part, const Model& model);
+    /// Takes the model of the part, which the caller has built already, and its solids (see makeSolids) where the caller has made them.
+    OverlapMeter(const Mesh& part, const Model& model, std::shared_ptr<const Solids> solids = nullptr);
 
     /// The deepest point of the obstacle's triangles inside the part at the pose; upper is above lower by at
     /// most 1 % or, if more, 1e-4 of the part's diagonal. X_environmentPart: as for distance(). A triangle's depth is

@@ -233,6 +233,12 @@ Solids Solids::ofComponent(std::size_t component) const {
     return made;
 }
 
+bool Solids::hold(const Vector3& point) const {
+    return std::any_of(solids_.begin(), solids_.end(), [&](const NamedSolid& named) {
+        return named.solid.box().contains(point) && named.solid.winding({}, {}, point) > 0;
+    });
+}
+
 void Solids::findTrees() {
     std::vector<Box> boxes, points;
     for (const NamedSolid& named : solids_) {

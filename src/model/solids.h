@@ -80,6 +80,9 @@ class Solids {
     /// The solid and the pieces of one component alone.
     Solids ofComponent(std::size_t component) const;
 
+    /// Whether one of the solids holds the point, in mesh coordinates. For a point on the surface the answer is that of one of its sides.
+    bool hold(const Vector3& point) const;
+
     const std::vector<std::string>& refusals() const { return refusals_; }
     const std::vector<std::string>& turnedOver() const { return turnedOver_; }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "mesh/components.h"
+#include "clearway/errors.h"
 #include "model/box_tree.h"
 #include "model/solids.h"
 #include "shrink/nearest_triangle.h"
@@ -62,7 +62,7 @@ bool areSurelyApart(const Corners3& a, const Corners3& b) {
 class DeepestSearch {
   public:
     DeepestSearch(const Mesh& part, const Model& surface, const BoxTree& boxes,
-                  const std::vector<Solid>& solids, const Pose& X_partEnvironment, double leastDepth)
+                  const Solids& solids, const Pose& X_partEnvironment, double leastDepth)
         : part_(part),
           boxes_(boxes),
           solids_(solids),
@@ -120,7 +120,7 @@ class DeepestSearch {
         for (std::size_t i = first; i < first + count; ++i) box.extend(added_[i].box);
         const Vector3 middle = box.center();
         const double distance = nearest_.of(middle).distance, radius = 0.5 * box.diagonal().norm();
-        if (distance >= radius && !isInside(middle)) return;
+        if (distance >= radius && !solids_.hold(middle)) return;
         const double most = distance + radius;
         if (most <= best_.lower) return;
         open_.push({{}, 0, most, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
@@ -146,7 +146,7 @@ class DeepestSearch {
         double radius = 0;
         for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
         const NearestTriangle::Place place = nearest_.of(middle);
-        const double depth = isInside(middle) ? place.distance : -place.distance;
+        const double depth = solids_.hold(middle) ? place.distance : -place.distance;
         if (depth > best_.lower) {
             best_.lower = depth;
             best_.point = middle;
@@ -175,9 +175,9 @@ class DeepestSearch {
         Vector3 to = middle;
         if (length > 0 && std::isfinite(length)) {
             to += step / length * normal;
-            if (isInside(to)) to = middle - step / length * normal;
+            if (solids_.hold(to)) to = middle - step / length * normal;
         }
-        if (isInside(to)) return false;
+        if (solids_.hold(to)) return false;
         const double share = 1 - step / std::max(step, radius);
         for (Vector3& corner : corners) corner = to + share * (corner - middle);
         return isApart(corners);
@@ -189,12 +189,6 @@ class DeepestSearch {
         double most = 0;
         for (const Vector3& corner : corners) most = std::max(most, distanceToTriangle(corner, face));
         return most;
-    }
-
-    bool isInside(const Vector3& point) const {
-        return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
-            return solid.box().contains(point) && solid.winding({}, {}, point) > 0;
-        });
     }
 
     /// Whether the piece has no point of the part's surface; if its middle is outside, then so is all of it. False, too, where rounding
@@ -232,7 +226,7 @@ class DeepestSearch {
 
     const Mesh& part_;
     const BoxTree& boxes_;  ///< of the part's triangles
-    const std::vector<Solid>& solids_;
+    const Solids& solids_;
     NearestTriangle nearest_;
     const Pose& X_partEnvironment_;
     const double leastDepth_;
@@ -247,33 +241,28 @@ class DeepestSearch {
 struct OverlapMeter::Surface {
     Mesh mesh;
     Model model;
-    BoxTree boxes;              ///< of the triangles
-    std::vector<Solid> solids;  ///< of the components
+    BoxTree boxes;  ///< of the triangles
+    std::shared_ptr<const Solids> solids;
 };
 
 OverlapMeter::OverlapMeter(const Mesh& part) : OverlapMeter(part, Model::build(part)) {}
 
-OverlapMeter::OverlapMeter(const Mesh& part, const Model& model) {
+OverlapMeter::OverlapMeter(const Mesh& part, const Model& model, std::shared_ptr<const Solids> solids) {
+    if (!solids) solids = makeSolids(part).solids;
+    if (!solids->refusals().empty()) throw ArgumentError(solids->refusals()[0]);
     std::vector<Box> boxes;
     for (const auto& [a, b, c] : part.triangles) {
         boxes.emplace_back(part.vertices[a]);
         boxes.back().extend(part.vertices[b]).extend(part.vertices[c]);
     }
-    auto surface = std::make_shared<Surface>(Surface{part, model, BoxTree(boxes), {}});
-    const std::vector<Component> components = componentsOf(part);
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        if (components[i].triangleCount == 0) continue;
-        surface->solids.emplace_back(meshOfComponents(part, {i}),
-                                     components[i].name.empty() ? "unnamed" : components[i].name);
-    }
-    surface_ = surface;
+    surface_ = std::make_shared<Surface>(Surface{part, model, BoxTree(boxes), std::move(solids)});
 }
 
 DeepestPoint OverlapMeter::deepest(const Mesh& obstacle, const Pose& X_environmentPart,
                                    double leastDepth) const {
     requirePose(X_environmentPart);
     const Pose X_partEnvironment = inverse(X_environmentPart);
-    DeepestSearch search(surface_->mesh, surface_->model, surface_->boxes, surface_->solids,
+    DeepestSearch search(surface_->mesh, surface_->model, surface_->boxes, *surface_->solids,
                          X_partEnvironment, leastDepth);
     for (std::uint32_t t = 0; t < obstacle.triangles.size(); ++t) {
         const auto& [a, b, c] = obstacle.triangles[t];

@@ -40,7 +40,7 @@ class AssembledPart {
     double diagonal() const { return box.diagonal().norm(); }
 
     const Solids& solids() {
-        if (!solids_) solids_ = std::make_unique<Solids>(mesh);
+        if (!solids_) solids_ = makeSolids(mesh).solids;
         return *solids_;
     }
     bool isClosed() { return solids().refusals().empty(); }
@@ -48,12 +48,9 @@ class AssembledPart {
     bool holds(AssembledPart& other) {
         return isClosed() && solids().holding({}, other.solids(), {}).has_value();
     }
-    const Solid& solid() {
-        if (!solid_) solid_.emplace(mesh, name());
-        return *solid_;
-    }
+    /// Of a closed part.
     const OverlapMeter& meter() {
-        if (!meter_) meter_.emplace(mesh, model);
+        if (!meter_) meter_.emplace(mesh, model, solids_);
         return *meter_;
     }
 
@@ -62,8 +59,7 @@ class AssembledPart {
     Box box;
 
   private:
-    std::unique_ptr<Solids> solids_;
-    std::optional<Solid> solid_;
+    std::shared_ptr<const Solids> solids_;
     std::optional<OverlapMeter> meter_;
 };
 
@@ -83,7 +79,6 @@ std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
 /// have their surfaces in each other's, so that no point of these lies deep.
 std::optional<Vector3> sharedPoint(AssembledPart& a, AssembledPart& b) {
     if (!a.isClosed() || !b.isClosed()) return std::nullopt;
-    const Solid &inA = a.solid(), &inB = b.solid();
     const double below = kBelow * std::min(a.diagonal(), b.diagonal());
     const std::size_t step = std::max<std::size_t>(1, b.mesh.triangles.size() / kMostSamples);
     for (std::size_t i = 0; i < b.mesh.triangles.size(); i += step) {
@@ -92,8 +87,7 @@ std::optional<Vector3> sharedPoint(AssembledPart& a, AssembledPart& b) {
         const Vector3 normal = (v - u).cross(w - u).normalized(), middle = (u + v + w) / 3;
         for (const double side : {-below, below}) {
             const Vector3 point = middle + side * normal;
-            if (point.allFinite() && inA.winding({}, {}, point) > 0 && inB.winding({}, {}, point) > 0)
-                return point;
+            if (point.allFinite() && a.solids().hold(point) && b.solids().hold(point)) return point;
         }
     }
     return std::nullopt;
