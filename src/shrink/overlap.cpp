@@ -21,6 +21,7 @@ constexpr std::size_t kFewTriangles = 2;  ///< of a group that is looked at tria
 struct OpenPiece {
     Corners3 corners;
     std::uint32_t triangle;
+    std::uint32_t nearest;                   ///< the surface's triangle nearest to its middle
     double most;                             ///< no point of it lies deeper
     std::uint32_t first = 0, groupSize = 0;  ///< a group: its place in the order of triangles; 0 for a piece
 
@@ -61,8 +62,8 @@ bool areSurelyApart(const Corners3& a, const Corners3& b) {
 
 class DeepestSearch {
   public:
-    DeepestSearch(const Mesh& part, const Model& surface, const BoxTree& boxes,
-                  const Solids& solids, const Pose& X_partEnvironment, double leastDepth)
+    DeepestSearch(const Mesh& part, const Model& surface, const BoxTree& boxes, const Solids& solids,
+                  const Pose& X_partEnvironment, double leastDepth)
         : part_(part),
           boxes_(boxes),
           solids_(solids),
@@ -81,7 +82,7 @@ class DeepestSearch {
     }
 
     DeepestPoint find(const Pose& X_environmentPart) {
-        lookAtGroup(0, added_.size());
+        lookAtGroup(0, added_.size(), 0);
         while (!open_.empty()) {
             const OpenPiece piece = open_.top();
             if (piece.most <= enough()) {
@@ -90,7 +91,7 @@ class DeepestSearch {
             }
             open_.pop();
             if (piece.groupSize > 0)
-                divideGroup(piece.first, piece.groupSize);
+                divideGroup(piece);
             else
                 halve(piece);
         }
@@ -111,23 +112,32 @@ class DeepestSearch {
     double enough() const { return std::max((1 + kShare) * best_.lower, best_.lower + leastDepth_); }
 
     /// Bounds a group by the depth of the middle of its box, so that triangles far from the part's surface are not looked at one by one.
-    void lookAtGroup(std::size_t first, std::size_t count) {
+    /// near: a triangle of the surface that may be near.
+    void lookAtGroup(std::size_t first, std::size_t count, std::uint32_t near) {
         if (count <= kFewTriangles) {
-            for (std::size_t i = first; i < first + count; ++i) lookAt(added_[i].corners, added_[i].triangle);
+            for (std::size_t i = first; i < first + count; ++i)
+                lookAt(added_[i].corners, added_[i].triangle, near);
             return;
         }
         Box box;
         for (std::size_t i = first; i < first + count; ++i) box.extend(added_[i].box);
         const Vector3 middle = box.center();
-        const double distance = nearest_.of(middle).distance, radius = 0.5 * box.diagonal().norm();
-        if (distance >= radius && !solids_.hold(middle)) return;
-        const double most = distance + radius;
+        const NearestTriangle::Place place = nearest_.of(middle);
+        const double radius = 0.5 * box.diagonal().norm();
+        if (place.distance >= radius && !solids_.hold(middle)) return;
+        const double most = place.distance + radius;
         if (most <= best_.lower) return;
-        open_.push({{}, 0, most, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
+        open_.push({{},
+                    0,
+                    place.triangle,
+                    most,
+                    static_cast<std::uint32_t>(first),
+                    static_cast<std::uint32_t>(count)});
     }
 
     /// Halves a group along the longest side of the box around the middles of its triangles.
-    void divideGroup(std::size_t first, std::size_t count) {
+    void divideGroup(const OpenPiece& group) {
+        const std::size_t first = group.first, count = group.groupSize;
         Box middles;
         for (std::size_t i = first; i < first + count; ++i) middles.extend(added_[i].box.center());
         Eigen::Index axis = 0;
@@ -137,11 +147,12 @@ class DeepestSearch {
         std::nth_element(
             begin, begin + half, begin + static_cast<std::ptrdiff_t>(count),
             [axis](const Added& a, const Added& b) { return a.box.center()[axis] < b.box.center()[axis]; });
-        lookAtGroup(first, count / 2);
-        lookAtGroup(first + count / 2, count - count / 2);
+        lookAtGroup(first, count / 2, group.nearest);
+        lookAtGroup(first + count / 2, count - count / 2, group.nearest);
     }
 
-    void lookAt(const Corners3& corners, std::uint32_t triangle) {
+    void lookAt(const Corners3& corners, std::uint32_t triangle, std::uint32_t near) {
+        if (isNear(near, corners)) return;
         const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
         double radius = 0;
         for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());
@@ -159,7 +170,7 @@ class DeepestSearch {
         } else if (depth < 0.5 * enough() && isShallow(corners, middle, radius, place.triangle)) {
             if (depth >= 0 || !isApart(corners)) mostLeft_ = std::max(mostLeft_, enough());
         } else {
-            open_.push({corners, triangle, most});
+            open_.push({corners, triangle, place.triangle, most});
         }
     }
 
@@ -181,6 +192,14 @@ class DeepestSearch {
         const double share = 1 - step / std::max(step, radius);
         for (Vector3& corner : corners) corner = to + share * (corner - middle);
         return isApart(corners);
+    }
+
+    /// Whether the distance to one triangle of the surface shows that no point of the piece lies deep enough to be of interest.
+    bool isNear(std::uint32_t near, const Corners3& corners) {
+        const double most = furthestFrom(near, corners);
+        if (most > std::max(best_.lower, leastDepth_)) return false;
+        mostLeft_ = std::max(mostLeft_, most);
+        return true;
     }
 
     /// No point of the piece lies deeper than this: the distance to one triangle of the surface is convex.
@@ -220,8 +239,8 @@ class DeepestSearch {
         }
         const Vector3 &a = c[longest], &b = c[(longest + 1) % 3], &tip = c[(longest + 2) % 3];
         const Vector3 middle = 0.5 * (a + b);
-        lookAt({a, middle, tip}, piece.triangle);
-        lookAt({middle, b, tip}, piece.triangle);
+        lookAt({a, middle, tip}, piece.triangle, piece.nearest);
+        lookAt({middle, b, tip}, piece.triangle, piece.nearest);
     }
 
     const Mesh& part_;
