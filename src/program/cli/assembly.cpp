@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +32,8 @@ constexpr double kBelow = 1e-3;            ///< of the smaller part's diagonal, 
 constexpr std::size_t kMostSamples = 200;  ///< of a part's triangles
 constexpr std::size_t kMostPairRows = 40;  ///< of each kind, on screen
 
+using TriangleCorners = std::array<Vector3, 3>;
+
 /// A component with what queries need. Solids are made when first asked for.
 class AssembledPart {
   public:
@@ -38,6 +42,10 @@ class AssembledPart {
 
     const std::string& name() const { return mesh.components[0].name; }
     double diagonal() const { return box.diagonal().norm(); }
+    TriangleCorners corners(std::int64_t triangle) const {
+        const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(triangle)];
+        return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    }
 
     const Solids& solids() {
         if (!solids_) solids_ = makeSolids(mesh).solids;
@@ -64,12 +72,11 @@ class AssembledPart {
 };
 
 /// How deep the parts reach into each other: the deeper of both ways that a closed part can measure.
-std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b) {
+std::optional<DeepestPoint> depthOf(AssembledPart& a, AssembledPart& b, double shallow) {
     std::optional<DeepestPoint> deepest;
     for (const auto& [outer, inner] : {std::pair(&a, &b), std::pair(&b, &a)}) {
         if (!outer->isClosed()) continue;
-        const DeepestPoint found =
-            outer->meter().deepest(inner->mesh, {}, kShallow * std::min(a.diagonal(), b.diagonal()));
+        const DeepestPoint found = outer->meter().deepest(inner->mesh, {}, shallow);
         if (!deepest || found.lower > deepest->lower) deepest = found;
     }
     return deepest;
@@ -105,15 +112,47 @@ void findEscape(const AssembledPart& a, const AssembledPart& b, PartPair& pair) 
     }
 }
 
-void describeContact(const AssembledPart& a, const AssembledPart& b, Workspace& workspace, PartPair& pair) {
+/// The length of the shortest move that parts two triangles which meet. It is across one of the triangles, or across an edge of each.
+double crossingOf(const TriangleCorners& a, const TriangleCorners& b) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto lookAlong = [&](const Vector3& axis) {
+        const double length = axis.norm();
+        if (!(length > 0)) return;
+        const auto [leastA, mostA] = std::minmax({axis.dot(a[0]), axis.dot(a[1]), axis.dot(a[2])});
+        const auto [leastB, mostB] = std::minmax({axis.dot(b[0]), axis.dot(b[1]), axis.dot(b[2])});
+        least = std::min(least, std::min(mostA - leastB, mostB - leastA) / length);
+    };
+    const auto edge = [](const TriangleCorners& corners, int k) -> Vector3 {
+        return corners[(k + 1) % 3] - corners[k];
+    };
+    for (const TriangleCorners& corners : {a, b}) lookAlong(edge(corners, 0).cross(edge(corners, 1)));
+    for (int i = 0; i < 9; ++i) lookAlong(edge(a, i / 3).cross(edge(b, i % 3)));
+    return least;
+}
+
+/// Makes the pair a contact, or an overlap where triangles cross by more than `shallow`: thin sheets may cut through each other without
+/// a point that lies deep in one.
+void describeTouching(const AssembledPart& a, const AssembledPart& b, double shallow, Workspace& workspace,
+                      PartPair& pair) {
     pair.kind = PartPair::Kind::kContact;
     Box where;
+    double mostCrossing = shallow;
+    Vector3 crossingAt;
     for (const DistanceResult& each : nearPairs(b.model, a.model, {}, 0, workspace)) {
         if (!each.collides()) continue;
         ++pair.touchingTriangles;
         where.extend(each.witness->pointOnEnvironment);
+        const double crossing =
+            crossingOf(b.corners(each.witness->partTriangle), a.corners(each.witness->environmentTriangle));
+        if (crossing <= mostCrossing) continue;
+        mostCrossing = crossing;
+        crossingAt = each.witness->pointOnEnvironment;
     }
     if (!where.isEmpty()) pair.at = where.center();
+    if (mostCrossing == shallow) return;
+    pair.kind = PartPair::Kind::kOverlap;
+    pair.touchingTriangles = 0;
+    pair.at = crossingAt;
 }
 
 /// Nothing where the parts are farther apart than `near`.
@@ -132,18 +171,18 @@ std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, 
         pair.at = (gap.witness->pointOnPart + gap.witness->pointOnEnvironment) / 2;
         return pair;
     }
-    pair.depth = depthOf(a, b);
-    const bool isShallow =
-        !isInside && (!pair.depth || pair.depth->lower <= kShallow * std::min(a.diagonal(), b.diagonal()));
-    const std::optional<Vector3> shared = isShallow ? sharedPoint(a, b) : std::nullopt;
-    if (isShallow && !shared) {
-        describeContact(a, b, workspace, pair);
-        return pair;
-    }
+    const double shallow = kShallow * std::min(a.diagonal(), b.diagonal());
+    pair.depth = depthOf(a, b, shallow);
     pair.kind = PartPair::Kind::kOverlap;
-    pair.doCoincide = shared.has_value();
-    pair.at = shared.value_or(pair.depth->point);
-    findEscape(a, b, pair);
+    if (isInside || (pair.depth && pair.depth->lower > shallow)) {
+        pair.at = pair.depth->point;
+    } else if (const std::optional<Vector3> shared = sharedPoint(a, b)) {
+        pair.doCoincide = true;
+        pair.at = *shared;
+    } else {
+        describeTouching(a, b, shallow, workspace, pair);
+    }
+    if (pair.kind == PartPair::Kind::kOverlap) findEscape(a, b, pair);
     return pair;
 }
 
@@ -153,7 +192,8 @@ std::string pairRow(const PartPair& pair) {
         case PartPair::Kind::kOverlap:
             return fmt::format("{}, {}{}; pushed through '{}', '{}' is out of it {} along {}", names,
                                pair.doCoincide ? "surfaces coincide around a shared volume"
-                                               : shownLength(pair.depth->upper) + " deep",
+                               : pair.depth    ? shownLength(pair.depth->upper) + " deep"
+                                               : "surfaces cross; both are open, so no depth is known",
                                at, pair.a, pair.b, shownLength(pair.escape->upper), pair.escapeDirection);
         case PartPair::Kind::kContact:
             return fmt::format(

@@ -18,17 +18,18 @@ struct PartPair {
     double lower = 0, upper = 0;   ///< bounds of the gap; 0 unless kGap
     Vector3 at = Vector3::Zero();  ///< the deepest point, the middle of the contact, or the middle of the gap
     std::size_t touchingTriangles = 0;  ///< pairs of triangles in contact; kContact alone
-    /// kOverlap alone. Without a closed part no depth is known.
     bool doCoincide =
-        false;  ///< they share a volume around `at`, although no surface of one lies deep in the other
-    std::optional<DeepestPoint> depth;
-    std::optional<EscapeDistance> escape;  ///< the shortest way along an axis on which b leaves a
-    std::string escapeDirection;           ///< "+z"
+        false;  ///< kOverlap alone: they share a volume around `at`, although no surface of one lies deep in the other
+    std::optional<DeepestPoint> depth;  ///< unknown without a closed part
+    std::optional<EscapeDistance>
+        escape;                   ///< kOverlap alone: the shortest way along an axis on which b leaves a
+    std::string escapeDirection;  ///< "+z"
 };
 
 /// The pairs with gaps of at most `near`: overlaps, the deepest first; then contacts; then gaps, the narrowest first. Parts that reach no
 /// deeper into each other than half a thousandth of the smaller one's diagonal are in contact, unless their surfaces coincide around a shared
-/// volume, as those of two copies do. A closed part that holds a piece of another one counts as an overlap; an open part holds nothing.
+/// volume, as those of two copies do, or two triangles cross by more than that, as those of crossing sheets do. A closed part that holds a
+/// piece of another one counts as an overlap; an open part holds nothing.
 std::vector<PartPair> pairsOf(const Mesh& assembly, double near);
 
 /// Draws the assembly with a ring around the place of each overlap and each contact, into a .png file. The smaller part of each

@@ -86,16 +86,61 @@ BOOST_AUTO_TEST_CASE(copies_and_pieces_inside_are_overlaps_and_a_block_in_a_corn
         BOOST_TEST((pair.kind == PartPair::Kind::kContact), pair.a << " " << pair.b);
 }
 
-BOOST_AUTO_TEST_CASE(open_parts_that_touch_are_in_contact_of_unknown_depth) {
-    std::vector<Mesh> meshes = {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0.5, 0.5, 0.5}, {2, 2, 2})};
-    for (Mesh& mesh : meshes) {
-        mesh.triangles.pop_back();
-        --mesh.components[0].triangleCount;
-    }
-    const auto pairs = cli::pairsOf(joined(meshes), 0);
+Mesh withoutLastTriangle(Mesh mesh) {
+    mesh.triangles.pop_back();
+    --mesh.components[0].triangleCount;
+    return mesh;
+}
+
+Mesh sheet(const std::string& name, const Vector3& corner, const Vector3& u, const Vector3& v) {
+    Mesh mesh;
+    mesh.vertices = {corner, corner + u, corner + u + v, corner + v};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.components = {{name, 0, 2}};
+    return mesh;
+}
+
+PartPair pairOf(const Mesh& a, const Mesh& b) {
+    const auto pairs = cli::pairsOf(joined({a, b}), 0);
     BOOST_TEST_REQUIRE(pairs.size() == 1u);
-    BOOST_TEST((pairs[0].kind == PartPair::Kind::kContact));
-    BOOST_TEST(!pairs[0].depth);
+    return pairs[0];
+}
+
+BOOST_AUTO_TEST_CASE(
+    open_parts_that_touch_are_in_contact_and_those_that_cross_overlap_with_an_unknown_depth) {
+    const Mesh lower = withoutLastTriangle(box("a", {0, 0, 0}, {1, 1, 1})),
+               flat = sheet("flat", {0, 0, 0}, {9, 0, 0}, {0, 9, 0});
+    const PartPair touching[] = {pairOf(lower, withoutLastTriangle(box("b", {0, 0, 1}, {1, 1, 2}))),
+                                 pairOf(flat, sheet("T", {4, 1, 0}, {0, 3, 0}, {0, 0, 7})),
+                                 pairOf(flat, sheet("copy", {1, 1, 0}, {3, 0, 0}, {0, 3, 0}))};
+    for (const PartPair& pair : touching) {
+        BOOST_TEST((pair.kind == PartPair::Kind::kContact), pair.b);
+        BOOST_TEST(!pair.depth);
+    }
+    const PartPair crossing[] = {pairOf(lower, withoutLastTriangle(box("b", {0.5, 0.5, 0.5}, {2, 2, 2}))),
+                                 pairOf(flat, sheet("X", {4, 1, -1}, {0, 3, 0}, {0, 0, 7}))};
+    for (const PartPair& pair : crossing) {
+        BOOST_TEST((pair.kind == PartPair::Kind::kOverlap), pair.b);
+        BOOST_TEST(!pair.depth);
+        BOOST_TEST(!pair.doCoincide);
+    }
+    BOOST_TEST(crossing[1].escapeDirection == "+z");
+    BOOST_TEST(std::abs(crossing[1].escape->upper - 1) < 0.01);
+    BOOST_TEST(crossing[1].at.x() == 4);
+    BOOST_TEST(std::abs(crossing[1].at.z()) < 1e-9);
+}
+
+/// Nothing of thin plates lies deep in each other.
+BOOST_AUTO_TEST_CASE(thin_plates_that_cross_overlap_and_those_that_stand_on_each_other_are_in_contact) {
+    const Mesh flat = box("flat", {-50, -50, -0.01}, {50, 50, 0.01});
+    const PartPair crossing = pairOf(flat, box("upright", {-0.01, -50, -50}, {0.01, 50, 50}));
+    BOOST_TEST((crossing.kind == PartPair::Kind::kOverlap));
+    BOOST_TEST(crossing.depth->lower <= 0.01);
+    BOOST_TEST(std::abs(crossing.escape->upper - 50.01) < 0.01);
+    for (const double sunk : {0.0, 0.005, 0.02})
+        BOOST_TEST((pairOf(flat, box("on it", {-0.01, -50, 0.01 - sunk}, {0.01, 50, 50})).kind ==
+                    PartPair::Kind::kContact),
+                   sunk);
 }
 
 BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
