@@ -1,9 +1,11 @@
 #include "cad/cad_file.h"
 
 #include <fmt/format.h>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESToBRep.hxx>
@@ -26,17 +28,63 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
+#include "core/number.h"
 #include "core/text.h"
 
 namespace clearway::cad {
 namespace {
 
 constexpr double kSewn = 1e-3;  ///< mm; by as much the edges of loose faces may differ
+constexpr double kFarthest =
+    1e9;  ///< mm from the origin; beyond it OpenCASCADE's tolerance, 1e-7 mm, is less than the last digit of a double
+constexpr std::int64_t kInfiniteExponent = 100;  ///< OpenCASCADE takes 1e100 for infinite
 
 [[noreturn]] void refuse(const std::string& file, const std::string& reason) {
     throw std::runtime_error(quote(file) + ": " + reason);
+}
+
+/// Refuses numbers that OpenCASCADE takes for infinite, on some of which it works for hours.
+void requireFiniteNumbers(const std::string& file, bool isIges) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    constexpr const char* kDigits = "0123456789";
+    bool isInQuotes = false;
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i] == '\'' && !isIges) isInQuotes = !isInQuotes;
+        if (isInQuotes || std::string_view("EeDd").find(text[i]) == std::string_view::npos) continue;
+        const std::size_t begin = text.find_last_not_of(std::string(kDigits) + ".", i - 1) + 1,
+                          exponent = i + 1 + (text.compare(i + 1, 1, "+") == 0),
+                          end = std::min(text.find_first_not_of(kDigits, exponent), text.size());
+        if (text.find('.', begin) >= i || end <= exponent) continue;
+        if (parseInteger(text.substr(exponent, end - exponent)).value_or(kInfiniteExponent) <
+            kInfiniteExponent)
+            continue;
+        refuse(file, fmt::format("it holds the number {}, expected numbers below 1e{}",
+                                 quote(text.substr(begin, end - begin)), kInfiniteExponent));
+    }
+}
+
+/// Refuses parts whose triangles OpenCASCADE cannot make.
+void requireNear(const CadFile& cad, const std::string& file) {
+    for (const CadPart& part : cad.parts) {
+        Bnd_Box box;
+        BRepBndLib::Add(part.shape, box, false);
+        if (box.IsVoid()) continue;
+        const Bnd_Box placed = box.Transformed(part.X_filePart);
+        double farthest = 0;
+        for (const gp_Pnt& corner : {placed.CornerMin(), placed.CornerMax()}) {
+            for (int axis = 1; axis <= 3; ++axis) farthest = std::max(farthest, std::abs(corner.Coord(axis)));
+        }
+        if (!(farthest <= kFarthest))
+            refuse(file, fmt::format("{}has coordinates up to {} mm, expected at most {} mm",
+                                     part.name.empty() ? "it " : "part " + quote(part.name) + " ",
+                                     roundedNumber(farthest), roundedNumber(kFarthest)));
+    }
 }
 
 /// The label's name, on one line; empty without one.
@@ -148,6 +196,7 @@ CadFile readCadFile(const std::string& file) {
     const bool isIges = boost::iends_with(file, ".iges") || boost::iends_with(file, ".igs");
     if (!isIges && !boost::iends_with(file, ".step") && !boost::iends_with(file, ".stp"))
         refuse(file, "expected a name that ends in .step, .stp, .iges or .igs");
+    requireFiniteNumbers(file, isIges);
     CadFile result;
     Handle(TDocStd_Document) document;
     XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
@@ -166,6 +215,7 @@ CadFile readCadFile(const std::string& file) {
     TDF_LabelSequence roots;
     XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
     for (const TDF_Label& root : roots) addParts(result, root, {}, "");
+    requireNear(result, file);
     if (isIges) sewLooseFaces(result);
     if (result.parts.empty()) refuse(file, "it holds no face, expected a part with a surface");
     return result;

@@ -163,6 +163,30 @@ BOOST_AUTO_TEST_CASE(damaged_files_end_in_one_line) {
     requireRefused(folder, "whole.step --out o.3mf --deflection 0", {"--deflection"}, kCad);
 }
 
+/// OpenCASCADE would not end with some of these numbers.
+BOOST_AUTO_TEST_CASE(lengths_that_no_part_has_are_refused) {
+    const TemporaryFolder folder;
+    writeStep(folder.file("whole.step"), {"block 1.E308", cutBlock()});
+    converted(folder, "whole.step");
+    const std::string whole = readText(folder.file("whole.step"));
+    for (const std::string entity : {"CARTESIAN_POINT", "VECTOR", "CYLINDRICAL_SURFACE"}) {
+        const std::size_t at = whole.find('.', whole.find(" " + entity + "(") + entity.size()),
+                          begin = whole.find_last_not_of("0123456789", at - 1) + 1,
+                          end = whole.find_first_of(",)", at);
+        for (const std::string number : {"1.E308", "1.5E+0308", "2.e100"}) {
+            folder.write("large.step", std::string(whole).replace(begin, end - begin, number));
+            requireRefused(folder, "large.step --out o.3mf", {"'large.step'", "'" + number + "'", "1e100"},
+                           kCad);
+        }
+    }
+    writeStep(folder.file("far.step"), {"rod", boxSolid(1e10, 1, 1)});
+    requireRefused(folder, "far.step --out o.3mf", {"'far.step'", "'rod'", "1e+10 mm", "1e+09 mm"}, kCad);
+    writeIges(folder.file("far.igs"), {"rod", boxSolid(1e10, 1, 1)}, true);
+    requireRefused(folder, "far.igs --out o.3mf", {"'far.igs'", "1e+10 mm"}, kCad);
+    writeStep(folder.file("long.step"), {"rod", boxSolid(1e8, 1, 1)});
+    BOOST_TEST(boundingBox(converted(folder, "long.step")).max().x() == 1e8);
+}
+
 BOOST_AUTO_TEST_CASE(init_calls_the_program_and_goes_on_with_what_it_made) {
     const TemporaryFolder folder;
     writeStep(folder.file("a.step"), "machine",
