@@ -1,5 +1,5 @@
 // Judges and solves rigid-body problems that others published, found in a user's checkouts of their repositories
-// (public/checkouts.h says which); this repository holds nothing of theirs.
+// (data/problems says which); this repository holds nothing of theirs.
 //   benchmarks public CHECKOUTS OUT
 // Every run is a process of its own. A run that stands in OUT's tables already is not repeated, so a benchmark that was
 // stopped goes on where it was.
@@ -231,7 +231,9 @@ void runPlanners(const Choices& choices, const PublicProblems& found) {
         if (!isWanted(choices, puzzle.name)) continue;
         for (std::uint32_t seed = 1; seed <= choices.seeds; ++seed) add(ours, puzzle, kOurs, seed);
         for (std::uint32_t seed = 1; seed <= choices.contenderSeeds; ++seed) {
-            for (const std::string& contender : contenders()) add(others, puzzle, contender, seed);
+            for (const std::string& contender : contenders()) {
+                if (contender != kFcl || puzzle.isOmplApps) add(others, puzzle, contender, seed);
+            }
         }
     }
     // Ours plans on all cores, the others on one each.
@@ -290,7 +292,8 @@ int run(int count, char** words, study::Ranks* ranks) {
     if (ranks && ranks->rank() > 0)
         return ranks->serve([&](const Job& job) { return rowOf(job, choices); }), 0;
     makeFolder(choices.out);
-    const PublicProblems found = findPublicProblems(choices.checkouts, choices.out + "/problems");
+    const PublicProblems found =
+        findPublicProblems(readManifests(), choices.checkouts, choices.out + "/problems");
     if (!choices.job.empty()) {
         // Notes name files, by where they are in the checkouts.
         std::cout << boost::replace_all_copy(doJob(choices, found),

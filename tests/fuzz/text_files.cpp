@@ -6,7 +6,6 @@
 #include "clearway/problem.h"
 #include "fuzz/bytes.h"
 #include "support/byu_mesh.h"
-#include "support/ppl_scene.h"
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
@@ -123,19 +122,6 @@ void readByu(const std::string& file) {
     require(next == mesh.triangles.size(), "components hold all triangles");
 }
 
-/// The text up to a form feed is the .env file, which has the robot, too; what follows is the .query file.
-void readPpl(const std::string& file) {
-    const std::string text = readText(file);
-    const std::size_t end = std::min(text.find('\f'), text.size());
-    const std::string env = folder().write("given", text.substr(0, end));
-    const std::string query = folder().write("given.query", text.substr(std::min(end + 1, text.size())));
-    const PplScene scene = readPplScene(env, env, query);
-    requireSound(scene.start);
-    requireSound(scene.goal);
-    require(scene.bounds.sizes().minCoeff() > 0, "bounds have a size");
-    require(scene.obstaclePosition.allFinite(), "a position is finite");
-}
-
 void read(std::size_t kind, const std::string& file) {
     if (kind == 0) readProblemAndBack(file);
     if (kind == 1) readPathAndBack(file, Space::kSe3);
@@ -144,7 +130,6 @@ void read(std::size_t kind, const std::string& file) {
         for (const Pose& pose : readPoses(file).poses) requirePose(pose);
     }
     if (kind == 4) readByu(file);
-    if (kind == 5) readPpl(file);
 }
 
 void requireNamed(const std::exception& error, const std::string& file) {
@@ -157,7 +142,7 @@ void requireNamed(const std::exception& error, const std::string& file) {
 
 void fuzzOne(std::string_view input) {
     Bytes bytes(input);
-    const std::size_t kind = bytes.below(6);
+    const std::size_t kind = bytes.below(5);
     const std::string file = folder().write("given", std::string(bytes.rest()));
     try {
         read(kind, file);
@@ -195,13 +180,7 @@ std::vector<std::string> seeds() {
             "\3"
             "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n",
             "\4"
-            "2 4 2 7\n1 1\n2 2\n0 0 0 1 0 0\n0 1 0 0 0 1.5e0\n1 2 -3\n1 2 3 -4\n",
-            "\5"
-            "Boundary Box [-2:2 ; -3:3 ; -1e1:10]\nMultibodies\n2\n\nActive\n1\n#VIZMO_COLOR 0.4 0.8 0.9\n"
-            "robot.g -c(0 1 0 1) Volumetric Rotational\nConnections\n0\nPassive\no.obj -c(1 1 0 1) 2.5 2 -1 "
-            "0 0 0\n"
-            "\f"
-            "0 1 2 3 0.5 0 1\n0 4 5 6 0 0 0\n"};
+            "2 4 2 7\n1 1\n2 2\n0 0 0 1 0 0\n0 1 0 0 0 1.5e0\n1 2 -3\n1 2 3 -4\n"};
 }
 
 }  // namespace clearway::testing

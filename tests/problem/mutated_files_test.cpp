@@ -6,7 +6,6 @@
 #include "clearway/problem.h"
 #include "support/byu_mesh.h"
 #include "support/full_run.h"
-#include "support/ppl_scene.h"
 #include "support/temporary_folder.h"
 
 namespace clearway {
@@ -36,10 +35,6 @@ const std::string kStates = "1 2.5 -3e2 0.1 0.2 0.3 0.9\n# x\n1 2 3 0 0 0 1\n";
 const std::string kPoses = "1 0 0 0 1 0 0 0 1 7 8 9\n1 2 3 0 0 0 1\n0 -1 0 1 0 0 0 0 1 1e3 0 0\n";
 
 const std::string kByu = "2 4 2 7\n1 1\n2 2\n0 0 0 1 0 0\n0 1 0 0 0 1.5\n1 2 -3\n1 2 3 -4\n";
-const std::string kEnv =
-    "Boundary Box [-2:2 ; -3:3 ; -1e1:10]\nMultibodies\n2\n\nActive\n1\n# x\nrobot.g -c(0 1 0 1) Volumetric "
-    "Rotational\nConnections\n0\nPassive\no.obj -c(1 1 0 1) 2.5 2 -1 0 0 0\n";
-const std::string kQuery = "0 1 2 3 0.5 0 1\n0 4 5 6 0 0 0\n";
 
 /// Applies one to four edits: changes, removes or inserts a byte, or cuts off the tail.
 std::string mutated(std::string text, std::mt19937_64& random) {
@@ -136,21 +131,6 @@ BOOST_AUTO_TEST_CASE(mutated_byu_meshes_are_taken_with_sound_triangles_or_refuse
                 BOOST_TEST_REQUIRE(mesh.vertices[vertex].allFinite());
             }
         }
-    });
-}
-
-BOOST_AUTO_TEST_CASE(mutated_ppl_scenes_are_taken_with_sound_states_or_refused) {
-    const TemporaryFolder folder;
-    const std::string query = folder.write("sound.query", kQuery), env = folder.write("sound.env", kEnv);
-    requireTakenOrRefused(kEnv, [&](const std::string& file) {
-        const testing::PplScene scene = testing::readPplScene(file, file, query);
-        BOOST_TEST_REQUIRE(scene.bounds.sizes().minCoeff() > 0);
-        BOOST_TEST_REQUIRE(scene.obstaclePosition.allFinite());
-    });
-    requireTakenOrRefused(kQuery, [&](const std::string& file) {
-        const testing::PplScene scene = testing::readPplScene(env, env, file);
-        requireFinite(scene.start);
-        requireFinite(scene.goal);
     });
 }
 

@@ -1,9 +1,39 @@
 """The tables of docs/public_problems.md, from those that `benchmarks public` writes."""
 
+import json
+import pathlib
+
 from results import distinct, matching, median_with_range, seconds, shown, table
 
 OURS = "clearway"
 FCL = "RRTConnect+FCL"
+
+
+def manifests():
+    """The name and the content of each file of data/problems."""
+    folder = pathlib.Path(__file__).resolve().parents[3] / "data" / "problems"
+    return [(file.stem, json.loads(file.read_text())) for file in sorted(folder.glob("*.json"))]
+
+
+def sources(results):
+    lines = []
+    for name, manifest in manifests():
+        problems = manifest.get("problems", [])
+        lists = {"problems": problems, "paths": [path for problem in problems for path in problem.get("paths", [])],
+                 "assemblies": manifest.get("assemblies", [])}
+        address = manifest["repository"]
+        lines.append([name, f"[{address.removeprefix('https://github.com/')}]({address})", manifest["commit"][:7],
+                      *(str(len(items) or "") for items in lists.values()), manifest["licence"]])
+    return table(["folder", "repository", "commit", "problems", "paths", "assemblies", "licence"], lines)
+
+
+def new(results):
+    """The problems that `benchmarks public` has not measured yet, and the figures that their manifests have."""
+    measured = distinct(results.rows("public/runs"), "problem")
+    return table(["problem", "published", "best seconds", "largest clearance"],
+                 [[problem["name"], problem.get("published", ""), *(shown(problem[key]) if key in problem else "" for key in ("seconds", "clearance"))]
+                  for _, manifest in manifests() for problem in manifest.get("problems", [])
+                  if problem["name"] not in measured and not {"config", "paths"} <= set(problem)])
 
 
 def count(rows, column="valid"):

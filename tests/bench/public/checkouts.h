@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/public/manifest.h"
+
 namespace clearway::testing::public_problems {
 
 /// A problem that the program can read, and the paths published for it.
@@ -11,6 +13,8 @@ struct PublicProblem {
     std::string name;  ///< "omplapp/3D/alpha-1.0"
     std::string file;  ///< the .cfg, in the checkout or among what was converted
     std::vector<std::string> paths = {};
+    bool isOmplApps =
+        true;  ///< its goal is a pose and no obstacle may reach into the part: OMPL.app can pose it
 };
 
 /// The parts of an assembly, one mesh file each, all in the assembly's coordinates.
@@ -25,19 +29,11 @@ struct PublicProblems {
     std::vector<std::string> skipped;  ///< one line for each thing that a checkout lacks
 };
 
-/// Looks for problems in these folders of `checkouts`, each a checkout of the repository named:
-///
-/// | folder | repository |
-/// | omplapp | github.com/ompl/omplapp |
-/// | PuzzleTunnelDiscovery | github.com/xinyazhang/PuzzleTunnelDiscovery |
-/// | PuzzleTunnelDiscovery-6bee290 | the same at commit 6bee290b4688e545c77bde0ac85e3b9bd778b330, for the Elk |
-/// | open-ppl-env | github.com/parasollab/open-ppl-env |
-/// | IPPP | github.com/tobiaskohlbau/IPPP |
-/// | AutomatedAssemblyPlanner | github.com/atulmishrachdi/AutomatedAssemblyPlanner |
-///
-/// Problems in formats that the program does not read are converted: problem files and meshes (as .ply, so with
-/// float coordinates) go to the folder `converted`. What is missing is skipped and said so. Throws as the readers
-/// of the formats do.
-PublicProblems findPublicProblems(const std::string& checkouts, const std::string& converted);
+/// Looks for the problems of each manifest in the folder of `checkouts` that has its name. Problems of which the
+/// repository has no problem file that the program reads are written to the folder `converted`; so are meshes that
+/// it does not read (as .ply, so with float coordinates). What is missing is skipped and said so. Throws as the
+/// readers of the formats do.
+PublicProblems findPublicProblems(const std::vector<Manifest>& manifests, const std::string& checkouts,
+                                  const std::string& converted);
 
 }  // namespace clearway::testing::public_problems

@@ -19,8 +19,8 @@ constexpr const char* kRunColumns =
 
 /// Plans once. Returns a row of kRunColumns. found: the planner's answer; seconds: until then, without reading
 /// and building, and for ours without making room and shortening; valid: whether the path is valid all along,
-/// by an audit; colliding_by_oracle: of 100 poses of the path. Writes the path to `path` if it is valid. What is
-/// thrown becomes the note.
+/// by an audit; colliding_by_oracle: of 100 poses of the path, not counted if obstacles may reach into the part.
+/// Writes the path to `path` if it is valid. What is thrown becomes the note.
 std::string runContender(const std::string& problem, const std::string& contender, std::uint32_t seed,
                          double seconds, const std::string& path);
 
