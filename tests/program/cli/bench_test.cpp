@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(options_go_before_what_the_problem_says) {
     BOOST_TEST(log.options.seed == 5u);
     BOOST_TEST(log.parameters.at("margin REAL") == "1");
     BOOST_TEST(log.parameters.at("leaf_split VARCHAR") == "chain");
+    BOOST_TEST(log.parameters.at("hash_of_files VARCHAR").rfind("0x", 0) == 0u);
     BOOST_TEST_REQUIRE(log.planners.size() == 2u);
     BOOST_TEST(log.planners[0].settings.at("range") == "13");
     BOOST_TEST(log.planners[1].name == "geometric_PDST");
