@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto isAny = [](const auto&) { return true; };
+constexpr auto isFilled = [](const auto& value) { return !value.empty(); };
 
 /// An object of a manifest. Its errors say where it stands.
 class Fields {
@@ -40,7 +41,7 @@ class Fields {
     }
 
     std::string text(const std::string& key, const std::string& expected) const {
-        return get<std::string>(key, expected, [](const std::string& text) { return !text.empty(); });
+        return get<std::string>(key, expected, isFilled);
     }
 
     std::vector<std::string> texts(const std::string& key) const {
@@ -161,7 +162,7 @@ Manifest manifestOf(const std::string& file, const Json& json) {
     manifest.licence = fields.text("licence", "the licence's name, or that none is stated");
     manifest.assemblies = fields.texts("assemblies");
     if (fields.has("problems") || manifest.assemblies.empty()) {
-        for (const Json& object : fields.get<std::vector<Json>>("problems", "a list of problems", isAny))
+        for (const Json& object : fields.get<std::vector<Json>>("problems", "a list of problems", isFilled))
             manifest.problems.push_back(readListed(file, object));
     }
     return manifest;

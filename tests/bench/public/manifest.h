@@ -26,11 +26,12 @@ struct ListedProblem {
     std::vector<std::string> paths;  ///< published solutions
 };
 
+/// The public problems of one repository at one commit.
 struct Manifest {
     std::string folder;  ///< of the repository among a user's checkouts: the manifest's name without .json
     std::string repository, commit, licence;
     std::vector<ListedProblem> problems;
-    std::vector<std::string> assemblies;  ///< folders of .stl files, one a part, in assembled coordinates
+    std::vector<std::string> assemblies;  ///< folders of mesh files, one a part, in assembled coordinates
 };
 
 /// Reads a manifest; docs/public_problems.md says what it holds. Throws std::invalid_argument, naming the file, the
