@@ -13,7 +13,7 @@ namespace clearway {
 
 /// A part that moves along a path at an even pace, as OMPL interpolates between the states.
 struct MovingPart {
-    Mesh mesh;
+    Mesh mesh;                     ///< in its own coordinates, which the states move
     std::vector<PartState> path;   ///< at least one state
     double begin = 0;              ///< seconds, >= 0; before, the part stands at its first state
     double end = 12;               ///< seconds, > begin; from then on, the part stands at its last state
