@@ -11,7 +11,6 @@
 #include "demos/scenes/scene_checks.h"
 #include "demos/scenes/scenes.h"
 #include "support/full_run.h"
-#include "support/oracle.h"
 #include "support/words.h"
 
 BOOST_AUTO_TEST_SUITE(families_test)
@@ -27,14 +26,13 @@ using Counts = std::pair<std::size_t, std::size_t>;
 
 struct Family {
     const char* name;
-    std::vector<Counts> counts, largeCounts;          ///< triangles of part and environment to ask for
-    std::vector<SceneOptions> scenes, furtherScenes;  ///< of which the first one is also judged by the oracle
-    double widest;                                    ///< largest clearance that it takes, mm
+    std::vector<Counts> counts, largeCounts;  ///< triangles of part and environment to ask for
+    std::vector<SceneOptions> scenes, furtherScenes;
+    double widest;          ///< largest clearance that it takes, mm
     double tightShare = 0;  ///< least share of the path within 1.5 times the clearance; 0: not walked here
     double step = 5;        ///< longest step of the walk, mm
     bool hasSlivers = false;
-    std::size_t oracleStride = 1;  ///< states of the path from one that the oracle judges to the next
-    bool isPartFixed = false;      ///< the seed changes the environment alone
+    bool isPartFixed = false;  ///< the seed changes the environment alone
 };
 
 std::ostream& operator<<(std::ostream& out, const Family& family) {
@@ -67,8 +65,7 @@ std::vector<Family> families() {
              25,
              0.3,
              5,
-             true,
-             3},
+             true},
             {"cembox-2",
              {{2500, 5000}, {3000, 20000}, {9000, 60000}},
              {{11000, 130000}, {30000, 500000}, {60000, 300000}},
@@ -86,10 +83,9 @@ std::vector<Family> families() {
              12,
              0.3,
              20,
-             true,
-             isFullRun() ? 4u : 12u},
-            {"puzzle-1", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2, false, isFullRun() ? 1u : 4u},
-            {"puzzle-2", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2, false, isFullRun() ? 1u : 4u},
+             true},
+            {"puzzle-1", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
+            {"puzzle-2", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
             {"boxes-1",
              {{12, 24}, {100, 700}, {101, 703}, {3000, 50000}},
              {{400000, 1000000}},
@@ -105,7 +101,6 @@ std::vector<Family> families() {
              0,
              5,
              false,
-             1,
              true},
             {"apartment-1",
              {{3000, 8000}, {5100, 13600}, {27000, 72000}},
@@ -116,7 +111,6 @@ std::vector<Family> families() {
              0,
              5,
              false,
-             1,
              true}};
 }
 
@@ -186,20 +180,6 @@ BOOST_DATA_TEST_CASE(components_are_named_closed_solids_of_floats_and_the_path_k
             BOOST_TEST(walk.tightLength >= family.tightShare * walk.length);
         }
     }
-}
-
-BOOST_DATA_TEST_CASE(the_oracle_finds_no_less_clearance_on_the_path, data::make(families()), family) {
-    if (family.tightShare == 0) return;
-    const SceneOptions options = family.scenes.front();
-    const GeneratedScene scene = make(family, options);
-    const MeshOracle oracle(scene.part, scene.environment);
-    for (std::size_t i = 0; i + 1 < scene.path.size(); i += family.oracleStride) {
-        for (const double t : {0.0, 0.5}) {
-            const PartState state = between(scene.path[i], scene.path[i + 1], t);
-            BOOST_TEST(oracle.distance(poseOf(state)).distance >= options.clearance);
-        }
-    }
-    BOOST_TEST(oracle.distance(poseOf(scene.path.back())).distance >= options.clearance);
 }
 
 BOOST_DATA_TEST_CASE(what_cannot_be_made_is_refused_by_name, data::make(families()), family) {

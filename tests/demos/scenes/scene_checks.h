@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -121,6 +120,19 @@ inline PathClearance walkPath(const Model& part, const Model& environment, const
     }
     result.proven = lowerAt(path.back()) > never;
     return result;
+}
+
+/// The share of 200 poses on the way from one state to the other that collide.
+inline double collidingShare(const Model& part, const Model& environment, const PartState& from,
+                             const PartState& to) {
+    constexpr int kSamples = 200;
+    Workspace workspace;
+    int colliding = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        const PartState state = between(from, to, (i + 0.5) / kSamples);
+        colliding += collides(part, environment, poseOf(state), workspace);
+    }
+    return static_cast<double>(colliding) / kSamples;
 }
 
 inline PathClearance walkPath(const GeneratedScene& scene, double never, double tight, double longestStep) {

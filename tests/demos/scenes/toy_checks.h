@@ -1,11 +1,7 @@
 // Checks that a scene is no toy: how far translations lead, how much the straight motion collides, and what
-// planners find, with and without rotations.
+// planners find at once.
 #pragma once
 
-#include <ompl/base/goals/GoalState.h>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/geometric/SimpleSetup.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
@@ -13,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -108,51 +103,6 @@ inline Flood flood(const BuiltScene& made, double cellSize, double out) {
         }
     }
     return result;
-}
-
-/// The goal's position, at the start's rotation.
-inline PartState translatedGoal(const BuiltScene& made) {
-    PartState goal = made.scene.problem.start;
-    goal.position = made.scene.problem.goal.position;
-    return goal;
-}
-
-/// True when RRTConnect finds a way to translatedGoal by translations alone, checked every step of the
-/// problem. range: longest edge of its trees. OMPL warns of every seed of a process but the first, but uses
-/// it.
-inline bool translatesOut(const BuiltScene& made, double range, std::uint32_t seed, double seconds) {
-    namespace ob = ompl::base;
-    ompl::RNG::setSeed(seed);
-    const Box room = made.scene.problem.volume.value();
-    const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
-    ob::RealVectorBounds bounds(3);
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        bounds.setLow(axis, room.min()[axis]);
-        bounds.setHigh(axis, room.max()[axis]);
-    }
-    space->setBounds(bounds);
-    ompl::geometric::SimpleSetup setup(space);
-    Workspace workspace;
-    setup.setStateValidityChecker([&](const ob::State* state) {
-        const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
-        PartState at = made.scene.problem.start;
-        at.position = {values[0], values[1], values[2]};
-        return space->satisfiesBounds(state) && made.isFree(at, workspace);
-    });
-    // A pure translation moves all points equally, so OMPL's own steps are lengths here.
-    setup.getSpaceInformation()->setStateValidityCheckingResolution(made.scene.problem.fineness.value() /
-                                                                    space->getMaximumExtent());
-    const PartState to = translatedGoal(made);
-    ob::ScopedState<ob::RealVectorStateSpace> start(space), goal(space);
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        start[axis] = made.scene.problem.start.position[axis];
-        goal[axis] = to.position[axis];
-    }
-    setup.setStartAndGoalStates(start, goal);
-    const auto planner = std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation());
-    planner->setRange(range);
-    setup.setPlanner(planner);
-    return setup.solve(seconds) == ob::PlannerStatus::EXACT_SOLUTION;
 }
 
 /// A run of one planner.

@@ -20,26 +20,13 @@ using namespace clearway::testing;
 
 namespace {
 
-SceneOptions atClearance(double clearance) {
+/// The scene at full size, made once for each clearance.
+const GeneratedScene& fullSize(double clearance) {
+    static std::map<double, GeneratedScene> made;
     SceneOptions options = kTunnelConsole3;
     options.clearance = clearance;
-    return options;
-}
-
-/// The scene at full size, with trees that are built quickly; made once for each clearance.
-struct FullSize {
-    explicit FullSize(double clearance)
-        : scene(makeTunnelConsole3(atClearance(clearance))),
-          part(Model::build(scene.part)),
-          environment(Model::build(scene.environment)) {}
-
-    GeneratedScene scene;
-    Model part, environment;
-};
-
-const FullSize& fullSize(double clearance) {
-    static std::map<double, FullSize> made;
-    return made.try_emplace(clearance, clearance).first->second;
+    if (made.count(clearance) == 0) made.emplace(clearance, makeTunnelConsole3(options));
+    return made.at(clearance);
 }
 
 /// Clearances of the full size, of which 10 mm is only tried with CLEARWAY_FULL=1.
@@ -66,7 +53,7 @@ std::string stem(const std::string& name) {
 }  // namespace
 
 BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one, kClearances, clearance) {
-    const GeneratedScene& scene = fullSize(clearance).scene;
+    const GeneratedScene& scene = fullSize(clearance);
     BOOST_TEST(isWithin(scene.part.triangles.size(), 73425, 0.005));
     BOOST_TEST(isWithin(scene.environment.triangles.size(), 300401, 0.005));
     std::set<std::string> kinds;
@@ -82,32 +69,7 @@ BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one, kCle
     BOOST_TEST(std::abs(boundingBox(scene.part).diagonal().norm() - 900) < 10);
 }
 
-BOOST_DATA_TEST_CASE(smaller_and_larger_ones_reach_their_triangles,
-                     boost::unit_test::data::make(isFullRun() ? std::vector<std::size_t>{20000, 150000}
-                                                              : std::vector<std::size_t>{20000}),
-                     triangles) {
-    const GeneratedScene scene = makeTunnelConsole3({3, triangles, 4 * triangles, 10});
-    BOOST_TEST(isWithin(scene.part.triangles.size(), triangles, 0.02));
-    BOOST_TEST(isWithin(scene.environment.triangles.size(), 4 * triangles, 0.02));
-    BOOST_TEST(isHollow(scene.part));
-}
-
-BOOST_DATA_TEST_CASE(the_path_keeps_the_clearance_and_is_tight_for_three_tenths, kClearances, clearance) {
-    const FullSize& made = fullSize(clearance);
-    const PathClearance walk =
-        walkPath(made.part, made.environment, made.scene.path, clearance, 1.5 * clearance, 5);
-    BOOST_TEST_MESSAGE("least " << walk.least << " mm, " << 100 * walk.tightLength / walk.length
-                                << " % tight");
-    BOOST_TEST(walk.proven);
-    BOOST_TEST(walk.tightLength >= 0.3 * walk.length);
-}
-
 namespace {
-
-/// Options of a size that is made quickly.
-SceneOptions small(std::uint64_t seed = 1, double clearance = 10) {
-    return {seed, 28000, 120000, clearance};
-}
 
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
@@ -116,7 +78,7 @@ bool begins(const std::string& text, const std::string& with) {
 }  // namespace
 
 BOOST_DATA_TEST_CASE(the_problem_starts_inside_and_ends_outside, kClearances, clearance) {
-    const GeneratedScene& scene = fullSize(clearance).scene;
+    const GeneratedScene& scene = fullSize(clearance);
     const Problem& problem = scene.problem;
     BOOST_TEST(problem.fineness.value() == 0.8);  // half of the skins' 1.6 mm
     Box tunnel, atStart, atGoal;
@@ -137,7 +99,7 @@ BOOST_DATA_TEST_CASE(the_problem_starts_inside_and_ends_outside, kClearances, cl
 
 /// The path except for its last motion leads from the assembled pose to where the part has left the tunnel.
 BOOST_AUTO_TEST_CASE(the_sheets_keep_farther_off_than_the_parts_at_the_gap) {
-    const GeneratedScene scene = makeTunnelConsole3(small());
+    const GeneratedScene scene = makeTunnelConsole3({1, 28000, 120000, 10});
     Mesh sheets;
     sheets.vertices = scene.environment.vertices;
     for (const Component& component : scene.environment.components) {

@@ -83,24 +83,6 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_when_one_of_the_files_cannot_be) {
     BOOST_TEST(folder.names() == std::vector<std::string>{scene.name + ".path"});
 }
 
-BOOST_AUTO_TEST_CASE(nothing_of_an_earlier_scene_stays) {
-    const TemporaryFolder folder;
-    const GeneratedScene scene = makeBoxes(kBoxes);
-    for (const char* ending : {".png", "_replay.poses"}) folder.write(scene.name + ending, "of another");
-    folder.write("notes.txt", "mine");
-    const SceneFiles files = writeScene(scene, folder.path());
-    BOOST_TEST(!std::filesystem::exists(files.preview));
-    BOOST_TEST(!std::filesystem::exists(files.replay));
-    BOOST_TEST(readText(folder.file("notes.txt")) == "mine");
-}
-
-BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_named) {
-    const TemporaryFolder folder;
-    const std::string blocked = folder.write("file", "") + "/below";
-    const GeneratedScene scene = makeBoxes(kBoxes);
-    requireRefusedBy<std::runtime_error>([&] { writeScene(scene, blocked); }, {blocked});
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()
