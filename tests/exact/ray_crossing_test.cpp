@@ -1,4 +1,4 @@
-// A ray's crossing is that of rational arithmetic, also along edges, through corners and a rounding beside them.
+// A ray's crossing is that of exact arithmetic, also along edges, through corners and a rounding beside them.
 #include "exact/ray_crossing.h"
 
 #include <array>
@@ -15,22 +15,29 @@ using namespace clearway::testing;
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
-using Point = std::array<Rational, 3>;
+using Integer = boost::multiprecision::cpp_int;
+using Point = std::array<Integer, 3>;
 
 constexpr std::uint64_t kSeed = 61;
 
-Rational cross(const Point& a, const Point& b, int i, int j) {
+/// The number times 2^2400, which is whole: a double is a multiple of 2^-1074.
+Integer scaled(double number) {
+    int exponent = 0;
+    const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
+    return Integer(digits) << (exponent - 53 + 2400);
+}
+
+Integer cross(const Point& a, const Point& b, int i, int j) {
     return a[i] * b[j] - a[j] * b[i];
 }
 
-/// The sides of the edges are those of the point moved by (e, e^2), with an e below all other differences.
+/// The sides of the edges are those of the point moved by (e, e^2), where e = 2^-1200 is below all other differences.
 int slowCrossing(const Vector3& origin, const std::array<Vector3, 3>& corners) {
-    const Rational e(1, boost::multiprecision::cpp_int(1) << 1200);
+    const Integer e = Integer(1) << 1200, squared = 1;  // both scaled
     std::array<Point, 3> d, moved;
     for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < 3; ++i) d[k][i] = Rational(corners[k][i]) - Rational(origin[i]);
-        moved[k] = {d[k][0] - e, d[k][1] - e * e, d[k][2]};
+        for (int i = 0; i < 3; ++i) d[k][i] = scaled(corners[k][i]) - scaled(origin[i]);
+        moved[k] = {d[k][0] - e, d[k][1] - squared, d[k][2]};
     }
     std::array<int, 3> sides;
     for (int k = 0; k < 3; ++k) sides[k] = cross(moved[k], moved[(k + 1) % 3], 0, 1).sign();
@@ -40,7 +47,7 @@ int slowCrossing(const Vector3& origin, const std::array<Vector3, 3>& corners) {
         u[i] = d[1][i] - d[0][i];
         v[i] = d[2][i] - d[0][i];
     }
-    const Rational height =
+    const Integer height =
         d[0][0] * cross(u, v, 1, 2) + d[0][1] * cross(u, v, 2, 0) + d[0][2] * cross(u, v, 0, 1);
     return height.sign() == sides[0] ? sides[0] : 0;
 }
@@ -58,7 +65,7 @@ Vector3 nearGrid(Random& random) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_crossing_is_that_of_rational_arithmetic) {
+BOOST_AUTO_TEST_CASE(a_crossing_is_that_of_exact_arithmetic) {
     Random random(kSeed);
     int crossed = 0;
     for (int round = 0; round < 20000; ++round) {
