@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <thread>
 
 #include "clearway/scene_clearance.h"
 #include "planning/space/ompl_states.h"
@@ -329,33 +328,6 @@ BOOST_AUTO_TEST_CASE(an_environment_within_reach_gives_the_same_verdicts) {
         testing::requireRefusedBy([&] { MotionValidator(f.si, scene()); },
                                   {"expected at least the margin and the least interval"});
     }
-}
-
-BOOST_AUTO_TEST_CASE(eight_threads_with_one_validator_agree_with_one) {
-    const Fixture f(1);
-    testing::Random random(11);
-    std::vector<ob::ScopedState<>> states;
-    for (int i = 0; i < 40; ++i) {
-        states.push_back(
-            f.at(Vector3(-50, 0, 0) + random.inBox(40), random.uniform(0, 3), random.direction()));
-    }
-    std::vector<char> alone;
-    for (std::size_t i = 1; i < states.size(); ++i) alone.push_back(f.check(states[i - 1], states[i]));
-    std::vector<std::vector<char>> found(8, alone);
-    std::vector<std::thread> threads;
-    for (std::vector<char>& mine : found) {
-        threads.emplace_back([&] {
-            for (std::size_t i = 1; i < states.size(); ++i) {
-                std::pair<ob::State*, double> lastValid(nullptr, 0);
-                mine[i - 1] = f.validator->checkMotion(states[i - 1].get(), states[i].get());
-                f.validator->checkMotion(states[i - 1].get(), states[i].get(), lastValid);
-            }
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (const std::vector<char>& mine : found) BOOST_TEST((mine == alone));
-    const MotionCounters counters = f.validator->counters();
-    BOOST_TEST(counters.valid + counters.invalid == 39 * 17u);
 }
 
 Mesh sheet(double halfSide) {

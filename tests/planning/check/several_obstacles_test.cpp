@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include "support/oracle.h"
 #include "support/part_in_space.h"
@@ -20,9 +19,8 @@ constexpr double kMargins[] = {0, 2, 0.5, 6};
 struct Yard {
     Yard() {
         for (std::size_t i = 0; i < meshes.size(); ++i) {
-            meshes[i].components = {
-                {"obstacle " + std::to_string(i), 0, static_cast<std::uint32_t>(meshes[i].triangles.size())}};
-            scene.obstacles.push_back({Model::build(meshes[i]), kMargins[i]});
+            const Mesh mesh = named(meshes[i], "obstacle " + std::to_string(i));
+            scene.obstacles.push_back({Model::build(mesh), kMargins[i]});
         }
     }
     Mesh part = bracket(10, 1, 2, 4);
@@ -143,39 +141,6 @@ BOOST_AUTO_TEST_CASE(without_obstacles_all_is_valid_within_the_bounds) {
     BOOST_TEST((report.verdict == planning::MotionVerdict::kValid));
     BOOST_TEST(std::isinf(report.lowerClearance));
     BOOST_TEST(!report.closest.obstacle);
-}
-
-BOOST_AUTO_TEST_CASE(eight_threads_among_several_obstacles_solids_and_zones_agree_with_one) {
-    Yard yard;
-    yard.scene.partSolids = makeSolids(yard.part).solids;
-    yard.scene.obstacles[0].solids = makeSolids(yard.meshes[0]).solids;
-    yard.scene.obstacles[1].isIgnoredAtStart = true;
-    yard.scene.startContact = ContactZone{{Matrix3::Identity(), {10, 0, 0}}, 20};
-    const PartInSpace space(yard.scene);
-    Random random(83);
-    std::vector<ompl::base::ScopedState<>> states;
-    std::vector<double> alone;
-    for (int i = 0; i < 101; ++i) {
-        states.push_back(space.at(randomState(random)));
-        alone.push_back(space.checker->clearance(states.back().get()));
-    }
-    std::vector<std::vector<double>> found(8, alone);
-    std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < found.size(); ++t) {
-        threads.emplace_back([&, t] {
-            for (std::size_t k = 0; k < states.size(); ++k) {
-                const std::size_t i = k * (t + 1) % states.size();  // each thread has an order of its own
-                found[t][i] = space.checker->clearance(states[i].get());
-            }
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (const auto& mine : found) {
-        for (std::size_t i = 0; i < mine.size(); ++i) {
-            BOOST_TEST((mine[i] > 0) == (alone[i] > 0));
-            if (alone[i] > 0) BOOST_TEST(mine[i] == alone[i], boost::test_tools::tolerance(1e-9));
-        }
-    }
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_margin_of_any_obstacle_is_refused) {

@@ -55,10 +55,12 @@ struct Asked {
           integral(si, scene),
           wanted(si, scene) {}
 
-    std::array<double, 8> of(const ob::State* s1, const ob::State* s2) const {
+    std::array<double, 9> of(const ob::State* s1, const ob::State* s2) const {
+        std::pair<ob::State*, double> lastValid(nullptr, 0);
         return {static_cast<double>(checker.isValid(s1)),
                 static_cast<double>(checker.clearance(s1) > 0),
                 static_cast<double>(validator.checkMotion(s1, s2)),
+                static_cast<double>(validator.checkMotion(s1, s2, lastValid)),
                 least.motionCost(s1, s2).value(),
                 integral.motionCost(s1, s2).value(),
                 wanted.motionCost(s1, s2).value(),
@@ -74,16 +76,25 @@ struct Asked {
     LengthWithClearanceObjective wanted;
 };
 
+/// The scene has solids, and a second obstacle that is ignored near the start.
 BOOST_AUTO_TEST_CASE(eight_threads_are_told_what_one_is) {
     const testing::MotionWindow f(0.5);
-    const Asked asked(f.si, f.window.scene);
+    const Mesh block = testing::translated(testing::box({20, 10, 10}), {-60, 30, 0});
+    Scene scene = f.window.scene;
+    scene.partSolids = makeSolids(f.window.partMesh).solids;
+    scene.obstacles[0].solids = makeSolids(f.window.wallMesh).solids;
+    scene.obstacles.push_back({Model::build(block), 2});
+    scene.obstacles[1].solids = makeSolids(block).solids;
+    scene.obstacles[1].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{{Matrix3::Identity(), {-50, 10, 0}}, 30};
+    const Asked asked(f.si, scene);
     testing::Random random(41);
     std::vector<ob::ScopedState<>> states;
     for (int i = 0; i < 32; ++i) {
         states.push_back(
             f.at(Vector3(-45, 0, 0) + random.inBox(25), random.uniform(0, 3), random.direction()));
     }
-    using Answers = std::vector<std::array<double, 8>>;
+    using Answers = std::vector<std::array<double, 9>>;
     Answers alone;
     for (std::size_t i = 1; i < states.size(); ++i)
         alone.push_back(asked.of(states[i - 1].get(), states[i].get()));
@@ -96,7 +107,10 @@ BOOST_AUTO_TEST_CASE(eight_threads_are_told_what_one_is) {
         }
     });
     for (const Answers& answers : found) BOOST_TEST((answers == alone));
-    BOOST_TEST(asked.least.counters().motions == (kThreads + 1) * alone.size());
+    const std::size_t calls = (kThreads + 1) * alone.size();
+    BOOST_TEST(asked.least.counters().motions == calls);
+    BOOST_TEST(asked.checker.counters().checks == 2 * calls);
+    BOOST_TEST(asked.validator.counters().valid + asked.validator.counters().invalid == 2 * calls);
     BOOST_TEST(std::any_of(alone.begin(), alone.end(), [](const auto& a) { return a[2] == 1; }));
     BOOST_TEST(std::any_of(alone.begin(), alone.end(), [](const auto& a) { return a[2] == 0; }));
 }
@@ -157,7 +171,7 @@ BOOST_AUTO_TEST_CASE(threads_that_live_on_never_meet_the_scratch_of_a_scene_that
         const Scene scene(f.window.scene.part, Model::build(wall));
         const auto asked = std::make_unique<Asked>(f.si, scene);
         const double clearance = 70 + shift - 30 - 2;
-        const std::array<double, 8> expected = Asked(f.si, scene).of(s1.get(), s2.get());
+        const std::array<double, 9> expected = Asked(f.si, scene).of(s1.get(), s2.get());
         std::array<char, kThreads> isRight{};
         rounds.run([&](int t) {
             const auto mine = static_cast<std::size_t>(t);

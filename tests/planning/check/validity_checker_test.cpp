@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <thread>
 
 #include "planning/space/ompl_states.h"
 #include "support/ompl_log.h"
@@ -211,52 +210,6 @@ BOOST_AUTO_TEST_CASE(an_se2_state_is_checked_in_the_plane) {
     state.rotation =
         Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ());  // 60 across a window of 64, 7 off its middle
     BOOST_TEST(!checker.isValid(toOmpl(space, Space::kSe2, state).get()));
-}
-
-BOOST_AUTO_TEST_CASE(four_threads_with_one_checker_agree_with_one) {
-    const Fixture f(1);
-    Random random(9);
-    std::vector<ob::ScopedState<>> states;
-    for (int i = 0; i < 401; ++i) states.push_back(f.randomState(random));
-    std::vector<double> alone;
-    for (const auto& state : states) alone.push_back(f.checker->clearance(state.get()));
-
-    std::vector<std::vector<double>> found(4, std::vector<double>(states.size()));
-    std::vector<std::vector<char>> verdicts(4, std::vector<char>(states.size()));
-    std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < 4; ++t) {
-        threads.emplace_back([&, t] {
-            for (std::size_t k = 0; k < states.size(); ++k) {
-                const std::size_t i =
-                    (k * (2 * t + 1)) % states.size();  // 401 is prime: each thread has an order of its own
-                found[t][i] = f.checker->clearance(states[i].get());
-                verdicts[t][i] = f.checker->isValid(states[i].get());
-            }
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (std::size_t t = 0; t < 4; ++t) {
-        for (std::size_t i = 0; i < states.size(); ++i) {
-            BOOST_TEST(found[t][i] == alone[i], boost::test_tools::tolerance(1e-12));
-            BOOST_TEST(static_cast<bool>(verdicts[t][i]) == (alone[i] > 0));
-        }
-    }
-    BOOST_TEST(f.checker->counters().checks == 401u + 4 * 802u);
-}
-
-BOOST_AUTO_TEST_CASE(the_scratch_of_a_dead_checker_is_never_met_again) {
-    const Fixture f;
-    const auto state = f.at({-60, 0, 0});
-    for (int i = 0; i < 50; ++i) {
-        const ValidityChecker checker(f.si, f.window.scene);
-        BOOST_TEST(checker.isValid(state.get()));
-    }
-    BOOST_TEST(f.checker->isValid(state.get()));
-    const ValidityChecker last(f.si, f.window.scene);
-    BOOST_TEST(last.isValid(state.get()));
-    for (int i = 0; i < 50; ++i) {
-        std::thread([&] { BOOST_TEST(last.isValid(state.get())); }).join();
-    }
 }
 
 BOOST_AUTO_TEST_CASE(the_specs_promise_a_lower_bound_and_no_direction) {

@@ -1,4 +1,4 @@
-#include "support/random_motion.h"
+#include "bench/random_motion.h"
 
 #include <cmath>
 #include <utility>
