@@ -51,10 +51,6 @@ bool isScalable(const ExactCase& exact) {
     return true;
 }
 
-double widestDefault(const ExactCase& exact) {
-    return 1e-12 * exact.sceneSize + 32 * kUnitRoundoff * exact.largestCoordinate;
-}
-
 DistanceResult distanceOf(const ModelPair& models, const Pose& pose, const DistanceOptions& options = {}) {
     Workspace workspace;
     return distance(models.part, models.environment, pose, options, workspace);
@@ -150,32 +146,6 @@ BOOST_AUTO_TEST_CASE(distance_changes_by_no_more_than_the_part_moves) {
                 BOOST_TEST(after.lower <= before.upper + moved);
                 BOOST_TEST(before.lower <= after.upper + moved);
                 BOOST_TEST(isWithinOf(models, next, (before.upper + moved) * (1 + 1e-15)));
-            }
-        }
-    }
-}
-
-BOOST_DATA_TEST_CASE(loosening_the_tolerance_never_moves_the_distance_out_of_the_interval,
-                     eachTarget() * eachWidth(), target, width) {
-    const UsingTarget using_(target);
-    BuildOptions build;
-    build.nodeWidth = width;
-    for (const ExactCase& exact : cases()) {
-        const ModelPair models = buildPair(exact, build);
-        for (const double relative : {0.0, 1e-3, 0.1, 2.0}) {
-            for (const double absolute : {0.0, 1e-6, 0.05}) {
-                DistanceOptions options;
-                options.relativeError = relative;
-                options.absoluteError = absolute * exact.sceneSize;
-                const DistanceResult result = distanceOf(models, exact.pose, options);
-                BOOST_TEST_CONTEXT(exact.name << ", relative " << relative << ", absolute " << absolute) {
-                    BOOST_TEST(exact.truth.compare(result.lower) >= 0);
-                    BOOST_TEST(exact.truth.compare(result.upper) <= 0);
-                    BOOST_TEST(result.upper - result.lower <=
-                               std::max({widestDefault(exact), options.absoluteError,
-                                         relative * result.lower * (1 + 1e-15)}));
-                    BOOST_TEST(result.collides() == exact.truth.isZero());
-                }
             }
         }
     }

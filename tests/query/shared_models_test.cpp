@@ -22,64 +22,44 @@ struct Answers {
     }
 };
 
-Answers answersOf(const std::vector<ModelPair>& models, int repetitions) {
+/// workspace: one, or none.
+template <class... OneOrNone>
+Answers answersOf(const std::vector<ModelPair>& models, OneOrNone&... workspace) {
+    constexpr int kRepetitions = 20;
     Answers answers;
-    Workspace workspace;
-    for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (int repetition = 0; repetition < kRepetitions; ++repetition) {
         for (std::size_t c = 0; c < models.size(); ++c) {
             for (const Pose& pose : queryCases()[c].poses) {
                 const ModelPair& pair = models[c];
-                const DistanceResult result = distance(pair.part, pair.environment, pose, {}, workspace);
+                const DistanceResult result = distance(pair.part, pair.environment, pose, {}, workspace...);
                 answers.lower.push_back(result.lower);
                 answers.upper.push_back(result.upper);
                 answers.distance.push_back(result.distance);
-                answers.touching.push_back(collides(pair.part, pair.environment, pose, workspace));
-                answers.near.push_back(isWithin(pair.part, pair.environment, pose, 1, workspace));
+                answers.touching.push_back(collides(pair.part, pair.environment, pose, workspace...));
+                answers.near.push_back(isWithin(pair.part, pair.environment, pose, 1, workspace...));
             }
         }
     }
     return answers;
-}
-
-Answers answersWithoutWorkspace(const std::vector<ModelPair>& models, int repetitions) {
-    Answers answers;
-    for (int repetition = 0; repetition < repetitions; ++repetition) {
-        for (std::size_t c = 0; c < models.size(); ++c) {
-            for (const Pose& pose : queryCases()[c].poses) {
-                const auto& [part, environment] = models[c];
-                const DistanceResult result = distance(part, environment, pose);
-                answers.lower.push_back(result.lower);
-                answers.upper.push_back(result.upper);
-                answers.distance.push_back(result.distance);
-                answers.touching.push_back(collides(part, environment, pose));
-                answers.near.push_back(isWithin(part, environment, pose, 1));
-            }
-        }
-    }
-    return answers;
-}
-
-template <class Work>
-std::vector<Answers> answersOfFourThreads(const std::vector<ModelPair>& models, int repetitions,
-                                          const Work& work) {
-    std::vector<Answers> together(4);
-    std::vector<std::thread> threads;
-    for (Answers& answers : together) threads.emplace_back([&] { answers = work(models, repetitions); });
-    for (std::thread& thread : threads) thread.join();
-    return together;
 }
 
 }  // namespace
 
 BOOST_DATA_TEST_CASE(four_threads_get_the_answers_of_one, eachWidth(), width) {
-    BuildOptions options;
-    options.nodeWidth = width;
     std::vector<ModelPair> models;
-    for (const QueryCase& queryCase : queryCases()) models.push_back(buildPair(queryCase, options));
-    constexpr int kRepetitions = 20;
-    const Answers alone = answersOf(models, kRepetitions);
-    for (const auto& work : {answersOf, answersWithoutWorkspace}) {
-        const std::vector<Answers> together = answersOfFourThreads(models, kRepetitions, work);
+    for (const QueryCase& queryCase : queryCases()) models.push_back(buildPair(queryCase, ofWidth(width)));
+    Workspace workspace;
+    const Answers alone = answersOf(models, workspace);
+    for (const bool haveWorkspaces : {true, false}) {
+        std::vector<Answers> together(4);
+        std::vector<std::thread> threads;
+        for (Answers& answers : together) {
+            threads.emplace_back([&] {
+                Workspace mine;
+                answers = haveWorkspaces ? answersOf(models, mine) : answersOf(models);
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
         for (const Answers& answers : together) BOOST_TEST((answers == alone));
     }
 }
