@@ -51,8 +51,6 @@ TrianglePair oneOrBoth(Random& random, const Make& make) {
     return sometimesNear(random, pair);
 }
 
-}  // namespace
-
 TrianglePair randomPair(Random& random) {
     return {randomTriangle(random), randomTriangle(random)};
 }
@@ -160,6 +158,27 @@ TrianglePair cornerInPlane(Random& random) {
     return {{Vector3(right, y0, z), Vector3(right + random.uniform(0, 9), y1, z - random.uniform(0.1, 2)),
              Vector3(right, y1, z - random.uniform(0.1, 2))},
             {Vector3(left - random.uniform(1, 14), y0, z), Vector3(left, y0, z), Vector3(left, y1, z)}};
+}
+
+}  // namespace
+
+std::vector<TriangleFamily> drawnFamilies() {
+    return {{0, "random", randomPair},
+            {2, "one edge of each along x", edgesAlongX},
+            {17, "coplanar turned", coplanarTurned},
+            {22, "needles", needles},
+            {23, "caps", caps},
+            {24, "zero-area segments", segments},
+            {25, "points", points},
+            {26, "one zero-length edge", zeroLengthEdges},
+            {27, "integer grid", integerGrid},
+            {28, "far from the origin", farFromOrigin},
+            {29, "scales", scaledGrid},
+            {30, "mixed sizes", mixedSizes},
+            {31, "signed zeros and denormals", zerosAndDenormals},
+            {31, "denormals", wholeDenormals},
+            {33, "corner in the other's plane", cornerInPlane},
+            {35, "nearly coplanar", nearlyCoplanar}};
 }
 
 }  // namespace clearway::testing

@@ -1,5 +1,4 @@
-// The families of hard_triangles.h one by one: first those whose distance has a closed form, which is written
-// into the pair, then those left to the oracle.
+// The two kinds of families of hard_triangles.h, and what both draw with.
 #pragma once
 
 #include "support/hard_triangles.h"
@@ -20,42 +19,10 @@ TrianglePair movedBy(const TrianglePair& pair, const Pose& pose);
 /// Half of the draws keep their round coordinates (ties, exact parallels); the other half are turned.
 TrianglePair sometimesTurned(Random& random, const TrianglePair& pair);
 
-// Families with a closed form.
-TrianglePair smallCells(Random& random);
-TrianglePair parallelPlates(Random& random);
-TrianglePair crossingPlates(Random& random);
-TrianglePair axisAlignedPiercing(Random& random);
-TrianglePair standingPlate(Random& random);
-TrianglePair vertexOverFace(Random& random);
-TrianglePair crossingEdges(Random& random);
-TrianglePair vertexToVertex(Random& random);
-TrianglePair vertexToEdge(Random& random);
-TrianglePair nearlyParallelEdges(Random& random);
-TrianglePair exactlyParallelEdges(Random& random);
-TrianglePair coplanarApart(Random& random);
-TrianglePair coplanarNested(Random& random);
-TrianglePair coplanarEdgeTouch(Random& random);
-TrianglePair identical(Random& random);
-TrianglePair sharedVertex(Random& random);
-TrianglePair sharedEdge(Random& random);
-TrianglePair tJunction(Random& random);
+/// Those whose distance has a closed form, which is written into the pair.
+std::vector<TriangleFamily> statedFamilies();
 
-// Families left to the oracle.
-TrianglePair randomPair(Random& random);
-TrianglePair edgesAlongX(Random& random);
-TrianglePair coplanarTurned(Random& random);
-TrianglePair needles(Random& random);
-TrianglePair caps(Random& random);
-TrianglePair segments(Random& random);
-TrianglePair points(Random& random);
-TrianglePair zeroLengthEdges(Random& random);
-TrianglePair integerGrid(Random& random);
-TrianglePair farFromOrigin(Random& random);
-TrianglePair scaledGrid(Random& random);
-TrianglePair mixedSizes(Random& random);
-TrianglePair zerosAndDenormals(Random& random);
-TrianglePair wholeDenormals(Random& random);
-TrianglePair cornerInPlane(Random& random);
-TrianglePair nearlyCoplanar(Random& random);
+/// Those left to the oracle.
+std::vector<TriangleFamily> drawnFamilies();
 
 }  // namespace clearway::testing

@@ -1,5 +1,7 @@
 #include "support/hard_triangles.h"
 
+#include <algorithm>
+
 #include "support/hard_triangle_draws.h"
 
 namespace clearway::testing {
@@ -12,43 +14,14 @@ TrianglePair pqpIssue4(Random&) {
 
 }  // namespace
 
-// The numbers are those of tests/properties/hard_cases.md.
 std::vector<TriangleFamily> hardTriangleFamilies() {
-    return {{0, "random", randomPair},
-            {1, "edges that lie on each other but for a roundoff", pqpIssue4},
-            {2, "one edge of each along x", edgesAlongX},
-            {3, "vertex over a small cell", smallCells},
-            {4, "parallel plates", parallelPlates},
-            {5, "crossing plates", crossingPlates},
-            {6, "axis-aligned piercing", axisAlignedPiercing},
-            {7, "standing plate", standingPlate},
-            {8, "vertex over face", vertexOverFace},
-            {9, "crossing edges", crossingEdges},
-            {10, "vertex to vertex", vertexToVertex},
-            {11, "vertex to edge", vertexToEdge},
-            {12, "nearly parallel edges", nearlyParallelEdges},
-            {13, "exactly parallel edges", exactlyParallelEdges},
-            {14, "coplanar apart", coplanarApart},
-            {15, "coplanar nested", coplanarNested},
-            {16, "coplanar edge touch", coplanarEdgeTouch},
-            {17, "coplanar turned", coplanarTurned},
-            {18, "identical", identical},
-            {19, "shared vertex", sharedVertex},
-            {20, "shared edge", sharedEdge},
-            {21, "T-junction", tJunction},
-            {22, "needles", needles},
-            {23, "caps", caps},
-            {24, "zero-area segments", segments},
-            {25, "points", points},
-            {26, "one zero-length edge", zeroLengthEdges},
-            {27, "integer grid", integerGrid},
-            {28, "far from the origin", farFromOrigin},
-            {29, "scales", scaledGrid},
-            {30, "mixed sizes", mixedSizes},
-            {31, "signed zeros and denormals", zerosAndDenormals},
-            {31, "denormals", wholeDenormals},
-            {33, "corner in the other's plane", cornerInPlane},
-            {35, "nearly coplanar", nearlyCoplanar}};
+    std::vector<TriangleFamily> all = statedFamilies();
+    const std::vector<TriangleFamily> drawn = drawnFamilies();
+    all.insert(all.end(), drawn.begin(), drawn.end());
+    all.push_back({1, "edges that lie on each other but for a roundoff", pqpIssue4});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const TriangleFamily& a, const TriangleFamily& b) { return a.number < b.number; });
+    return all;
 }
 
 Pose poseFor(Random& random, const TrianglePair& pair) {

@@ -59,6 +59,8 @@ TrianglePair sometimesTurned(Random& random, const TrianglePair& pair) {
     return random.below(2) == 0 ? pair : movedBy(pair, random.pose(kDrawSize));
 }
 
+namespace {
+
 TrianglePair smallCells(Random& random) {
     const double cell = std::array<double, 3>{1.7e-4, 1e-5, 1e-6}[random.below(3)];
     const Triangle lying = {Vector3(0, 0, 0), Vector3(cell, 0, 0), Vector3(0, cell, 0)};
@@ -208,6 +210,29 @@ TrianglePair tJunction(Random& random) {
     const double x = sixteenth(random, -99, 99);
     return touching(random, {Vector3(-100, 0, 0), Vector3(100, 0, 0), Vector3(0, 90, 20)},
                     {Vector3(x, 0, 0), Vector3(x + 40, -70, 9), Vector3(x - 30, -60, 30)});
+}
+
+}  // namespace
+
+std::vector<TriangleFamily> statedFamilies() {
+    return {{3, "vertex over a small cell", smallCells},
+            {4, "parallel plates", parallelPlates},
+            {5, "crossing plates", crossingPlates},
+            {6, "axis-aligned piercing", axisAlignedPiercing},
+            {7, "standing plate", standingPlate},
+            {8, "vertex over face", vertexOverFace},
+            {9, "crossing edges", crossingEdges},
+            {10, "vertex to vertex", vertexToVertex},
+            {11, "vertex to edge", vertexToEdge},
+            {12, "nearly parallel edges", nearlyParallelEdges},
+            {13, "exactly parallel edges", exactlyParallelEdges},
+            {14, "coplanar apart", coplanarApart},
+            {15, "coplanar nested", coplanarNested},
+            {16, "coplanar edge touch", coplanarEdgeTouch},
+            {18, "identical", identical},
+            {19, "shared vertex", sharedVertex},
+            {20, "shared edge", sharedEdge},
+            {21, "T-junction", tJunction}};
 }
 
 }  // namespace clearway::testing
