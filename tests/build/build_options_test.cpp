@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+#include "support/words.h"
+
 namespace clearway::testing {
 
 BOOST_AUTO_TEST_SUITE(build_options_test)
@@ -10,12 +12,7 @@ BOOST_AUTO_TEST_SUITE(build_options_test)
 namespace {
 
 std::string refusal(const BuildOptions& options) {
-    try {
-        requireBuildOptions(options);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusalBy([&] { requireBuildOptions(options); });
 }
 
 BOOST_AUTO_TEST_CASE(every_known_name_size_and_width_is_accepted) {

@@ -1,13 +1,13 @@
 #include <boost/test/unit_test.hpp>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 #include "build/build.h"
 #include "build/check_tree.h"
 #include "build/collapse.h"
 #include "build/flatten.h"
 #include "build/sample_meshes.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -104,10 +104,7 @@ BOOST_AUTO_TEST_CASE(the_unit_makes_the_mesh_fill_half_to_one) {
 BOOST_AUTO_TEST_CASE(another_width_is_refused) {
     const CleanMesh mesh = rowOfTriangles();
     const BinaryTree binary = buildBinaryTree(mesh, {});
-    BOOST_CHECK_EXCEPTION(flatten(binary, mesh, 3), std::invalid_argument,
-                          [](const std::invalid_argument& error) {
-                              return std::string(error.what()) == "nodeWidth is 3, expected one of 8, 2";
-                          });
+    requireRefusedBy([&] { flatten(binary, mesh, 3); }, {"nodeWidth is 3, expected one of 8, 2"});
 }
 
 }  // namespace

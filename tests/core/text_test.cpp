@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "support/temporary_folder.h"
+#include "support/words.h"
 
 namespace clearway {
 
@@ -23,13 +24,8 @@ BOOST_AUTO_TEST_CASE(lines_come_without_ends_and_byte_order_mark) {
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named_with_what_was_expected) {
     const TemporaryFolder folder;
-    const auto messageOf = [](const std::string& file) -> std::string {
-        try {
-            readLines(file, "a pose file");
-        } catch (const std::runtime_error& error) {
-            return error.what();
-        }
-        return "";
+    const auto messageOf = [](const std::string& file) {
+        return testing::refusalBy<std::runtime_error>([&] { readLines(file, "a pose file"); });
     };
     const std::string missing = folder.file("x");
     BOOST_TEST(messageOf(missing) ==
@@ -62,11 +58,8 @@ BOOST_AUTO_TEST_CASE(a_row_is_found_by_its_name_or_the_names_are_listed) {
     };
     constexpr Row kTable[] = {{"one", 1}, {"two", 2}};
     BOOST_TEST(rowNamed(kTable, "the number", "two").value == 2);
-    BOOST_CHECK_EXCEPTION(rowNamed(kTable, "the number", "three"), std::invalid_argument,
-                          [](const std::invalid_argument& error) {
-                              return std::string(error.what()) ==
-                                     "the number is 'three', expected one of one, two";
-                          });
+    testing::requireRefusedBy([&] { rowNamed(kTable, "the number", "three"); },
+                              {"the number is 'three', expected one of one, two"});
 }
 
 BOOST_AUTO_TEST_CASE(a_misspelt_word_is_told_the_nearest_name_and_no_far_one) {

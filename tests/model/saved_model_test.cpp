@@ -12,6 +12,7 @@
 #include "model/model_data.h"
 #include "support/random_meshes.h"
 #include "support/temporary_folder.h"
+#include "support/words.h"
 #include "tree/flat_tree.h"
 
 namespace clearway {
@@ -93,9 +94,7 @@ BOOST_FIXTURE_TEST_CASE(a_cut_damaged_or_foreign_file_is_refused_by_name, Fixtur
     const std::string whole = contentOf(file);
     const auto requireRefused = [&](const std::string& content) {
         write(file, content);
-        BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
-            return std::string(error.what()).find(file) == 0;
-        });
+        testing::requireRefusedBy<std::runtime_error>([&] { Model::load(file); }, {file + ": "});
     };
     for (std::size_t length = 0; length < whole.size(); length += 7) requireRefused(whole.substr(0, length));
     for (std::size_t at = 0; at < whole.size(); at += 3) {
@@ -117,10 +116,9 @@ BOOST_FIXTURE_TEST_CASE(a_model_of_another_format_is_refused_by_its_version, Fix
     std::string content = contentOf(file);
     content[8] = 5;  // the version, lowest byte first
     write(file, content);
-    BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
-        return error.what() ==
-               file + ": has format version 5, expected a model saved by this version of clearway";
-    });
+    testing::requireRefusedBy<std::runtime_error>(
+        [&] { Model::load(file); },
+        {file + ": has format version 5, expected a model saved by this version of clearway"});
 }
 
 BOOST_FIXTURE_TEST_CASE(nodes_that_are_no_tree_are_refused_on_loading, Fixture) {
@@ -137,10 +135,9 @@ BOOST_FIXTURE_TEST_CASE(nodes_that_are_no_tree_are_refused_on_loading, Fixture) 
         nodes[n].child[0] = nodes[n].child[1] = std::int32_t(n + 1);
     content.replace(at, bytes, reinterpret_cast<const char*>(nodes.data()), bytes);
     writeHashed(file, content);
-    BOOST_CHECK_EXCEPTION(Model::load(file), std::runtime_error, [&](const std::runtime_error& error) {
-        return error.what() ==
-               file + ": node 1 shares a child, expected a model saved by this version of clearway";
-    });
+    testing::requireRefusedBy<std::runtime_error>(
+        [&] { Model::load(file); },
+        {file + ": node 1 shares a child, expected a model saved by this version of clearway"});
 }
 
 BOOST_FIXTURE_TEST_CASE(a_model_without_some_of_its_triangles_is_refused_on_loading, Fixture) {

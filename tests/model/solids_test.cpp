@@ -7,6 +7,7 @@
 
 #include "support/random_meshes.h"
 #include "support/winding.h"
+#include "support/words.h"
 
 BOOST_AUTO_TEST_SUITE(solids_test)
 
@@ -22,12 +23,7 @@ bool holds(const Solid& solid, const Vector3& point) {
 }
 
 std::string refusalOf(const Mesh& mesh) {
-    try {
-        const Solid solid(mesh, "bracket");
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return refusalBy([&] { Solid(mesh, "bracket"); });
 }
 
 }  // namespace

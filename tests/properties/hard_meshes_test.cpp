@@ -125,11 +125,9 @@ BOOST_AUTO_TEST_CASE(case_31_meshes_of_tiny_size_are_answered_like_any_or_refuse
                 continue;
             }
             Workspace workspace;
-            BOOST_CHECK_EXCEPTION(collides(Model::build(part), Model::build(environment), pose, workspace),
-                                  std::invalid_argument, [](const std::invalid_argument& error) {
-                                      return std::string(error.what()).find("largest coordinate") !=
-                                             std::string::npos;
-                                  });
+            requireRefusedBy(
+                [&] { collides(Model::build(part), Model::build(environment), pose, workspace); },
+                {"largest coordinate"});
         }
     }
 }

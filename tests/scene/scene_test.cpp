@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/random_meshes.h"
+#include "support/words.h"
 
 namespace clearway {
 
@@ -11,16 +12,10 @@ BOOST_AUTO_TEST_SUITE(scene_test)
 
 BOOST_AUTO_TEST_CASE(wrong_lengths_are_refused_where_they_are_stated) {
     const Model model = Model::build(testing::box({1, 1, 1}));
-    const auto refuses = [](const char* words) {
-        return [words](const std::invalid_argument& error) {
-            return std::string(error.what()).find(words) == 0;
-        };
-    };
     for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) {
-        BOOST_CHECK_EXCEPTION(Obstacle(model, wrong), std::invalid_argument, refuses("margin is "));
-        BOOST_CHECK_EXCEPTION(Scene(model, model, wrong), std::invalid_argument, refuses("margin is "));
-        BOOST_CHECK_EXCEPTION(ContactZone(Pose(), wrong), std::invalid_argument,
-                              refuses("the contact zone's distance is "));
+        testing::requireRefusedBy([&] { Obstacle(model, wrong); }, {"margin is "});
+        testing::requireRefusedBy([&] { Scene(model, model, wrong); }, {"margin is "});
+        testing::requireRefusedBy([&] { ContactZone(Pose(), wrong); }, {"the contact zone's distance is "});
     }
     BOOST_CHECK_THROW(ContactZone(Pose(), 0), std::invalid_argument);
     BOOST_TEST(Obstacle(model).margin == 0);

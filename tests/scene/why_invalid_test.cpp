@@ -17,11 +17,6 @@ namespace {
 
 using Kind = WhyInvalid::Kind;
 
-Mesh named(Mesh mesh, const std::string& name) {
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
-}
-
 Pose at(double x) {
     return {Matrix3::Identity(), Vector3(x, 0, 0)};
 }

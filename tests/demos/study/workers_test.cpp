@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "support/words.h"
+
 namespace clearway::testing {
 
 BOOST_AUTO_TEST_SUITE(workers_test)
@@ -61,15 +63,13 @@ BOOST_AUTO_TEST_CASE(a_job_that_throws_or_kills_its_process_is_told) {
         return true;
     };
     Workers workers(2, jobs);
-    const auto says = [](const std::string& words) {
-        return [words](const std::exception& error) {
-            return std::string(error.what()).find(words) != std::string::npos;
-        };
-    };
-    BOOST_CHECK_EXCEPTION(share(workers, {"a", "throw"}), std::runtime_error, says("no such tree"));
+    requireRefusedBy<std::runtime_error>([&] { share(workers, {"a", "throw"}); }, {"no such tree"});
     BOOST_TEST(share(workers, {"a", "b"}).kept.size() == 2u);
-    BOOST_CHECK_EXCEPTION(share(workers, {"a", "die"}), std::runtime_error,
-                          says("died during the job 'die'"));
+    requireRefusedBy<std::runtime_error>(
+        [&] {
+            share(workers, {"a", "die"});
+        },
+        {"died during the job 'die'"});
 }
 
 BOOST_AUTO_TEST_CASE(what_was_kept_before_a_stop_is_taken) {
