@@ -2,11 +2,11 @@
 #include "clearway/obstacle_groups.h"
 
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <stdexcept>
 
 #include "support/random_meshes.h"
 #include "support/winding.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -15,26 +15,18 @@ BOOST_AUTO_TEST_SUITE(obstacle_groups_test)
 namespace {
 
 Mesh file(const std::string& name, const std::vector<std::string>& components) {
-    Mesh all;
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        const Mesh one = translated(box({1, 1, 1}), {10.0 * static_cast<double>(i), 0, 0});
-        all = i == 0 ? one : joined(all, one);
+    std::vector<Mesh> boxes;
+    for (const std::string& component : components) {
+        const Vector3 place(10.0 * static_cast<double>(boxes.size()), 0, 0);
+        boxes.push_back(named(translated(box({1, 1, 1}), place), component));
     }
-    all.components.clear();
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        all.components.push_back({components[i], static_cast<std::uint32_t>(12 * i), 12});
-    }
+    Mesh all = assembled(boxes);
     all.origin.file = "/somewhere/" + name;
     return all;
 }
 
 std::string refusal(const std::vector<Mesh>& files, const ObstacleRules& rules) {
-    try {
-        groupObstacles(files, 1, rules);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return refusalBy([&] { groupObstacles(files, 1, rules); });
 }
 
 std::vector<std::string> namesOf(const ObstacleGroup& group) {

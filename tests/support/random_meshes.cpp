@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "clearway/obstacle_groups.h"
+
 namespace clearway::testing {
 
 std::uint64_t Random::bits() {
@@ -79,6 +81,12 @@ Mesh translated(const Mesh& mesh, const Vector3& by) {
 Mesh named(Mesh mesh, const std::string& name) {
     mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
     return mesh;
+}
+
+Mesh assembled(const std::vector<Mesh>& parts) {
+    Mesh all = joinedEnvironment(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) all.components[i].name = parts[i].components[0].name;
+    return all;
 }
 
 Mesh scaledBy(const Mesh& mesh, double factor) {

@@ -59,6 +59,7 @@ Mesh joined(const Mesh& a, const Mesh& b);
 Mesh transformed(const Mesh& mesh, const Pose& X_ab);
 Mesh translated(const Mesh& mesh, const Vector3& by);
 Mesh named(Mesh mesh, const std::string& name);  ///< with one component
+Mesh assembled(const std::vector<Mesh>& parts);  ///< joined; each part is one component, and keeps its name
 Mesh scaledBy(const Mesh& mesh, double factor);  ///< exact for powers of two
 Mesh shuffled(Random& random,
               const Mesh& mesh);  ///< triangles, their corners and the vertices, each in another order

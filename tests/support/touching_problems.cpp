@@ -22,18 +22,12 @@ Polyline rectangle(double x, double y) {
     return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
-/// The box between two corners.
-Mesh block(const Vector3& low, const Vector3& high) {
-    return translated(box((high - low) / 2), (low + high) / 2);
-}
-
+/// Boxes between two corners.
 Mesh blocks(const std::vector<std::pair<Vector3, Vector3>>& corners) {
-    Mesh all;
-    for (const auto& [low, high] : corners) all = joined(all, block(low, high));
-    all.components.clear();
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        all.components.push_back({"block" + std::to_string(i + 1), std::uint32_t(12 * i), 12});
-    return all;
+    std::vector<Mesh> all;
+    for (const auto& [low, high] : corners)
+        all.push_back(boxMesh({low, high}, "block" + std::to_string(all.size() + 1)));
+    return assembled(all);
 }
 
 /// A ribbed plug that is pressed 0.3 deep into its socket.

@@ -6,39 +6,17 @@ namespace clearway::testing {
 namespace {
 
 Mesh wallPiece(const Vector3& low, const Vector3& high, const std::string& name) {
-    Mesh piece = translated(box((high - low) / 2, 3), (low + high) / 2);
-    piece.components = {{name, 0, static_cast<std::uint32_t>(piece.triangles.size())}};
-    return piece;
-}
-
-void append(Mesh& all, const Mesh& piece) {
-    const auto firstVertex = static_cast<std::uint32_t>(all.vertices.size());
-    const auto firstTriangle = static_cast<std::uint32_t>(all.triangles.size());
-    all.vertices.insert(all.vertices.end(), piece.vertices.begin(), piece.vertices.end());
-    for (TriangleIndices t : piece.triangles) {
-        for (std::uint32_t& i : t) i += firstVertex;
-        all.triangles.push_back(t);
-    }
-    Component component = piece.components[0];
-    component.firstTriangle = firstTriangle;
-    all.components.push_back(component);
-}
-
-Mesh wallWithWindow() {
-    Mesh wall;
-    append(wall, wallPiece({-2, -100, -100}, {2, 100, -16}, "below"));
-    append(wall, wallPiece({-2, -100, 16}, {2, 100, 100}, "above"));
-    append(wall, wallPiece({-2, -100, -16}, {2, -32, 16}, "left"));
-    append(wall, wallPiece({-2, 32, -16}, {2, 100, 16}, "right"));
-    return wall;
+    return named(translated(box((high - low) / 2, 3), (low + high) / 2), name);
 }
 
 }  // namespace
 
 WindowScene windowScene(const BuildOptions& options) {
-    Mesh part = box({30, 20, 5}, 2);
-    part.components = {{"plate", 0, static_cast<std::uint32_t>(part.triangles.size())}};
-    const Mesh wall = wallWithWindow();
+    const Mesh part = named(box({30, 20, 5}, 2), "plate");
+    const Mesh wall = assembled({wallPiece({-2, -100, -100}, {2, 100, -16}, "below"),
+                                 wallPiece({-2, -100, 16}, {2, 100, 100}, "above"),
+                                 wallPiece({-2, -100, -16}, {2, -32, 16}, "left"),
+                                 wallPiece({-2, 32, -16}, {2, 100, 16}, "right")});
     WindowScene result{part, wall, {Model::build(part, options), Model::build(wall, options), 0}, {}};
     result.problem.name = "window";
     result.problem.start.position = {-60, 0, 0};

@@ -3,6 +3,7 @@
 
 #include "clearway/planning/plan.h"
 #include "support/random_meshes.h"
+#include "support/winding.h"
 
 namespace clearway::planning {
 
@@ -18,11 +19,9 @@ struct Case {
         Mesh shell = testing::box({5, 5, 5}, 3);
         const std::size_t perSide = shell.triangles.size() / 6;
         shell.triangles.resize(perSide * static_cast<std::size_t>(sides));
-        shell.components = {{"case", 0, static_cast<std::uint32_t>(shell.triangles.size())}};
-        Mesh other = testing::translated(testing::box({1, 1, 1}), {0, 0, 30});
-        other.components = {{"other", 0, static_cast<std::uint32_t>(other.triangles.size())}};
-        scene.obstacles.push_back({Model::build(shell)});
-        scene.obstacles.push_back({Model::build(other)});
+        const Mesh other = testing::translated(testing::box({1, 1, 1}), {0, 0, 30});
+        scene.obstacles.push_back({Model::build(testing::named(shell, "case"))});
+        scene.obstacles.push_back({Model::build(testing::named(other, "other"))});
         problem.start.position = {1, 0, 0};
         problem.goal.position = {20, 0, 0};
         problem.volume = Box(Vector3(-30, -30, -30), Vector3(30, 30, 40));
@@ -90,13 +89,8 @@ BOOST_AUTO_TEST_CASE(a_surface_within_a_surface_shuts_in_by_itself) {
 
 /// A solid with a cavity is one closed surface, which a ray from within crosses twice.
 BOOST_AUTO_TEST_CASE(a_cavity_in_a_solid_shuts_in) {
-    Mesh solid = testing::box({6, 6, 6}, 2);
-    const Mesh cavity = testing::box({5, 5, 5}, 3);
-    const auto first = static_cast<std::uint32_t>(solid.vertices.size());
-    solid.vertices.insert(solid.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
-    for (const TriangleIndices& ids : cavity.triangles)
-        solid.triangles.push_back({first + ids[0], first + ids[2], first + ids[1]});
-    solid.components = {{"solid", 0, static_cast<std::uint32_t>(solid.triangles.size())}};
+    const Mesh cavity = testing::reversed(testing::box({5, 5, 5}, 3));
+    const Mesh solid = testing::named(testing::joined(testing::box({6, 6, 6}, 2), cavity), "solid");
     Case hollow;
     hollow.scene.obstacles = {{Model::build(solid)}};
     const PlanReport report = hollow.plan();

@@ -6,6 +6,7 @@
 #include "clearway/obstacle_groups.h"
 #include "program/cli/run_program.h"
 #include "support/assembled_problems.h"
+#include "support/random_meshes.h"
 
 namespace clearway::testing {
 
@@ -26,14 +27,8 @@ std::vector<Mesh> parts() {
             box("far", {100, 100, 100}, {101, 101, 101}), box("core", {4, 4, 1}, {6, 6, 3})};
 }
 
-Mesh joined(const std::vector<Mesh>& meshes) {
-    Mesh all = joinedEnvironment(meshes);
-    for (std::size_t i = 0; i < meshes.size(); ++i) all.components[i].name = meshes[i].components[0].name;
-    return all;
-}
-
 BOOST_AUTO_TEST_CASE(pairs_are_overlaps_contacts_and_gaps_in_this_order) {
-    const std::vector<PartPair> pairs = cli::pairsOf(joined(parts()), 0.3);
+    const std::vector<PartPair> pairs = cli::pairsOf(assembled(parts()), 0.3);
     BOOST_TEST_REQUIRE(pairs.size() == 4u);
     const auto is = [&](std::size_t i, PartPair::Kind kind, const char* a, const char* b) {
         BOOST_TEST((pairs[i].kind == kind), i);
@@ -58,28 +53,28 @@ BOOST_AUTO_TEST_CASE(pairs_are_overlaps_contacts_and_gaps_in_this_order) {
     BOOST_TEST(pairs[3].lower <= 0.25);
     BOOST_TEST(pairs[3].upper >= 0.25);
     BOOST_TEST(pairs[3].at.x() == -0.125);
-    BOOST_TEST(cli::pairsOf(joined(parts()), 0.2).size() == 3u);
+    BOOST_TEST(cli::pairsOf(assembled(parts()), 0.2).size() == 3u);
 }
 
 /// Surfaces of copies lie nowhere deep in each other, and a piece of a part may be inside of another one whose box does not hold the part's.
 BOOST_AUTO_TEST_CASE(copies_and_pieces_inside_are_overlaps_and_a_block_in_a_corner_is_not) {
     const auto copies =
-        cli::pairsOf(joined({box("a", {0, 0, 0}, {10, 10, 10}), box("copy", {0, 0, 0}, {10, 10, 10})}), 0);
+        cli::pairsOf(assembled({box("a", {0, 0, 0}, {10, 10, 10}), box("copy", {0, 0, 0}, {10, 10, 10})}), 0);
     BOOST_TEST_REQUIRE(copies.size() == 1u);
     BOOST_TEST((copies[0].kind == PartPair::Kind::kOverlap));
     BOOST_TEST(copies[0].doCoincide);
     BOOST_TEST(std::abs(copies[0].escape->upper - 10) < 0.01);
 
-    Mesh pieces = joined({box("b", {4, 4, 4}, {6, 6, 6}), box("c", {50, 50, 50}, {60, 60, 60})});
-    pieces.components = {{"pieces", 0, static_cast<std::uint32_t>(pieces.triangles.size())}};
-    const auto inside = cli::pairsOf(joined({box("a", {0, 0, 0}, {10, 10, 10}), pieces}), 0.1);
+    const Mesh pieces =
+        named(joined(box("b", {4, 4, 4}, {6, 6, 6}), box("c", {50, 50, 50}, {60, 60, 60})), "pieces");
+    const auto inside = cli::pairsOf(assembled({box("a", {0, 0, 0}, {10, 10, 10}), pieces}), 0.1);
     BOOST_TEST_REQUIRE(inside.size() == 1u);
     BOOST_TEST((inside[0].kind == PartPair::Kind::kOverlap));
     BOOST_TEST(std::abs(inside[0].depth->upper - 5) < 1.1);
 
     const auto corner =
-        cli::pairsOf(joined({box("floor", {0, 0, 0}, {9, 9, 1}), box("wall", {0, 0, 1}, {1, 9, 9}),
-                             box("block", {1, 1, 1}, {4, 4, 4})}),
+        cli::pairsOf(assembled({box("floor", {0, 0, 0}, {9, 9, 1}), box("wall", {0, 0, 1}, {1, 9, 9}),
+                                box("block", {1, 1, 1}, {4, 4, 4})}),
                      0);
     BOOST_TEST(corner.size() == 3u);
     for (const PartPair& pair : corner)
@@ -101,7 +96,7 @@ Mesh sheet(const std::string& name, const Vector3& corner, const Vector3& u, con
 }
 
 PartPair pairOf(const Mesh& a, const Mesh& b) {
-    const auto pairs = cli::pairsOf(joined({a, b}), 0);
+    const auto pairs = cli::pairsOf(assembled({a, b}), 0);
     BOOST_TEST_REQUIRE(pairs.size() == 1u);
     return pairs[0];
 }
@@ -161,7 +156,7 @@ BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
     const std::string csv = readText(folder.file("pairs.csv"));
     BOOST_TEST(std::count(csv.begin(), csv.end(), '\n') == 5);
 
-    saveMesh(joined(parts()), folder.file("all.glb"));
+    saveMesh(assembled(parts()), folder.file("all.glb"));
     const Outcome file = runIn(folder, "info all.glb --pairs");
     BOOST_TEST(
         holds(row(file, "overlap"), "'base' and 'core'", "; pushed through 'base', 'core' is out of it 3"),

@@ -109,10 +109,9 @@ struct OpenFolder : SunkFolder {
         open.triangles.pop_back();
         open.components[0].triangleCount = 11;
         saveMesh(open, file("lid.obj"));
-        Mesh floor = translated(box({6, 6, 1}), {0, 0, -1});
-        floor = joined(floor, translated(box({1, 1, 1}), {20, 0, 0}));
-        floor.components = {{"floor", 0, 12}, {"post", 12, 12}};
-        saveMesh(floor, file("floor.obj"));
+        const Mesh floor = named(translated(box({6, 6, 1}), {0, 0, -1}), "floor"),
+                   post = named(translated(box({1, 1, 1}), {20, 0, 0}), "post");
+        saveMesh(assembled({floor, post}), file("floor.obj"));
     }
 };
 
