@@ -5,7 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <csignal>
-#include <stdexcept>
+
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -33,14 +34,9 @@ struct Read {
     }
 };
 
-/// The message with which the words are refused; empty when they are taken.
+/// The message with which the words are refused.
 std::string refusal(const Arguments& words) {
-    try {
-        Read read(words);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return refusalBy([&] { Read read(words); });
 }
 
 bool begins(const std::string& text, const std::string& with) {

@@ -13,10 +13,8 @@ BOOST_AUTO_TEST_SUITE(init_test)
 
 namespace {
 
-Mesh named(Mesh mesh, const std::string& name, const Vector3& place) {
-    mesh = translated(mesh, place);
-    mesh.components = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
+Mesh named(const Mesh& mesh, const std::string& name, const Vector3& place) {
+    return testing::named(translated(mesh, place), name);
 }
 
 /// A block beside a plate that hides its way out on one side, and a floor.
@@ -160,14 +158,6 @@ BOOST_AUTO_TEST_CASE(init_and_plan_give_the_same_advice_about_parts_that_touch_a
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_metres_of_glb_files_are_kept) {
-    const MeshFolder folder;
-    for (const std::string name : {"block", "rest"})
-        saveMesh(loadMesh(folder.file(name + ".obj")), folder.file(name + ".glb"));
-    runIn(folder, "init block.glb rest.glb --out p.cfg");
-    BOOST_TEST(readProblem(folder.file("p.cfg")).unit == "m");
-}
-
 BOOST_AUTO_TEST_CASE(facts_are_json_with_the_names_of_the_rows) {
     const MeshFolder folder;
     runIn(folder, "init block.obj rest.obj --out p.cfg");
@@ -257,12 +247,6 @@ BOOST_AUTO_TEST_CASE(pages_for_readers_and_shells_are_printed) {
                      "-F _clearway clearway clearway-cad clearway-scene"));
 }
 
-Mesh assembly(const std::vector<Mesh>& parts) {
-    Mesh all = joinedEnvironment(parts);
-    for (std::size_t i = 0; i < parts.size(); ++i) all.components[i].name = parts[i].components[0].name;
-    return all;
-}
-
 /// The obstacles of a problem, by their names.
 std::set<std::string> obstacleNames(const Problem& problem) {
     std::set<std::string> names;
@@ -280,7 +264,7 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
                pin = named(box({0.2, 0.2, 0.2}), "pin", {20, 0, 3}),
                floor = named(box({3, 3, 1}), "floor", {20, 0, -1}),
                plate = named(box({0.5, 3, 3}), "plate", {22, 0, 2});
-    saveMesh(assembly({block, floor, plate, pin}), folder.file("all.glb"));
+    saveMesh(assembled({block, floor, plate, pin}), folder.file("all.glb"));
     const auto made = factsOf(folder, "init all.glb --part block --out p.cfg");
     BOOST_TEST(made["part"]["triangles"] == 12);
     BOOST_TEST(made["environment"]["triangles"] == 36);
@@ -331,7 +315,7 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     ignoring.rules.ignored = {"floor"};
     BOOST_TEST(obstaclesOf(ignoring, loadWorlds(ignoring)).groups.empty());
     std::filesystem::create_directory(folder.file("two"));
-    saveMesh(assembly({named(box({1, 1, 1}), "f", {90, 0, 0}), named(box({1, 1, 1}), "g", {95, 0, 0})}),
+    saveMesh(assembled({named(box({1, 1, 1}), "f", {90, 0, 0}), named(box({1, 1, 1}), "g", {95, 0, 0})}),
              folder.file("two/f.obj"));
     saveMesh(named(box({0.5, 0.5, 0.5}), "h", {95, 0, 0}), folder.file("two/h.obj"));
     factsOf(folder, "init two --part h --out two_files.cfg");
@@ -348,9 +332,9 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
 /// A problem in memory that names parts but not their file among the environment's would lose the other parts without a word.
 BOOST_AUTO_TEST_CASE(the_rest_of_an_assembly_is_never_lost) {
     const TemporaryFolder folder;
-    saveMesh(
-        assembly({named(box({1, 1, 1}), "block", {20, 0, 1.5}), named(box({3, 3, 1}), "floor", {20, 0, -1})}),
-        folder.file("all.glb"));
+    saveMesh(assembled(
+                 {named(box({1, 1, 1}), "block", {20, 0, 1.5}), named(box({3, 3, 1}), "floor", {20, 0, -1})}),
+             folder.file("all.glb"));
     saveMesh(named(box({1, 1, 1}), "other", {30, 0, 0}), folder.file("other.obj"));
     const std::string start =
         "start.x = 0\nstart.y = 0\nstart.z = 0\nstart.axis.x = 0\nstart.axis.y = 0\nstart.axis.z = "

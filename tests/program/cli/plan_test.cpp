@@ -233,9 +233,7 @@ BOOST_AUTO_TEST_CASE(a_planner_that_does_not_end_is_ended_with_the_program) {
 
 BOOST_AUTO_TEST_CASE(a_proof_that_there_is_no_path_is_told_at_once) {
     const WindowProblemFolder folder;
-    Mesh shell = translated(box({45, 40, 45}, 1), {-60, 0, 0});
-    shell.components = {{"shell", 0, static_cast<std::uint32_t>(shell.triangles.size())}};
-    saveMesh(shell, folder.file("wall.obj"));
+    saveMesh(named(translated(box({45, 40, 45}, 1), {-60, 0, 0}), "shell"), folder.file("wall.obj"));
     const std::string plan = "plan window.cfg --path out.path --nearest miss.path";
     BOOST_TEST(factsOf(folder, plan, 1)["proof"]["obstacle"] == "shell");
     const Outcome told = runIn(folder, plan);

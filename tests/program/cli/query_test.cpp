@@ -173,21 +173,6 @@ BOOST_AUTO_TEST_CASE(beyond_the_cap_are_inf_and_no_triangle) {
     BOOST_TEST(all["most"]["pose"] == 0);
 }
 
-BOOST_AUTO_TEST_CASE(allowed_errors_widen_the_interval_and_never_leave_the_distance_out) {
-    const BoxesFolder folder;
-    folder.write("poses.txt", kPoses);
-    for (const char* options :
-         {"--relative-error 0.5", "--absolute-error 2", "--relative-error 0.1 --absolute-error 0.1"}) {
-        const Table table = answers(folder, std::string("distance ") + options, kDistanceHeader);
-        for (std::size_t i = 0; i < 4; ++i) {
-            BOOST_TEST(std::stod(table[i][2]) <= kDistances[i]);
-            BOOST_TEST(std::stod(table[i][3]) >= kDistances[i]);
-            const double width = std::stod(table[i][3]) - std::stod(table[i][2]);
-            BOOST_TEST(width <= std::max(2.0, 0.5 * std::stod(table[i][2])), options);
-        }
-    }
-}
-
 BOOST_AUTO_TEST_CASE(the_scale_is_for_both_meshes_not_for_poses_and_nothing_is_moved_to_its_centre) {
     const BoxesFolder folder;
     folder.write("poses.txt", kPoses);

@@ -15,9 +15,7 @@ BOOST_AUTO_TEST_SUITE(reading_test)
 namespace {
 
 Mesh body(const Vector3& half, const Vector3& place) {
-    Mesh mesh = translated(box(half), place);
-    mesh.components = {{"Body", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    return mesh;
+    return named(translated(box(half), place), "Body");
 }
 
 /// A block above a floor; both are called Body.

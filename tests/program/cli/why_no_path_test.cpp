@@ -3,6 +3,7 @@
 #include "program/cli/run_program.h"
 #include "support/door_scene.h"
 #include "support/invalid_words.h"
+#include "support/random_meshes.h"
 
 namespace clearway::testing {
 
@@ -121,9 +122,7 @@ BOOST_AUTO_TEST_CASE(the_way_outside_is_explained_and_with_one_obstacle_the_marg
     BOOST_TEST(outside.code == 1, outside.err);
     BOOST_TEST(row(outside, "found without") == "'door'");
     problem = readProblem(CLEARWAY_DATA_DIR "/window/window.cfg");
-    Mesh wall = loadMesh(problem.meshes.world);
-    wall.components = {{"wall", 0, static_cast<std::uint32_t>(wall.triangles.size())}};
-    saveMesh(wall, folder.file("wall.obj"));
+    saveMesh(named(loadMesh(problem.meshes.world), "wall"), folder.file("wall.obj"));
     problem.meshes.world = folder.file("wall.obj");
     writeProblem(problem, folder.file("one.cfg"));
     const Outcome one =
