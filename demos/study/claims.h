@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "demos/study/statistics.h"
+#include "demos/study/table.h"
 #include "demos/study/tree_tables.h"
-#include "program/bench/table.h"
 
 namespace clearway::study {
 

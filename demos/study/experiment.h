@@ -13,7 +13,7 @@
 #include "clearway/problem.h"
 #include "clearway/scene.h"
 #include "demos/study/calls.h"
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 namespace clearway::study {
 

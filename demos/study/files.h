@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "demos/study/experiment.h"
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 namespace clearway::study {
 

@@ -7,8 +7,8 @@
 
 #include "demos/study/calls.h"
 #include "demos/study/experiment.h"
+#include "demos/study/table.h"
 #include "program/bench/planner_run.h"
-#include "program/bench/table.h"
 
 namespace clearway::study {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "demos/study/planner_runs.h"
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 namespace clearway::study {
 

@@ -9,7 +9,7 @@
 #include "demos/study/calls.h"
 #include "demos/study/experiment.h"
 #include "demos/study/planner_runs.h"
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 namespace clearway::study {
 

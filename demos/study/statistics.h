@@ -8,7 +8,7 @@
 #include "demos/study/files.h"
 #include "demos/study/planner_runs.h"
 #include "demos/study/replay.h"
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 namespace clearway::study {
 

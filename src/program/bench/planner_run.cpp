@@ -17,7 +17,6 @@
 #include "core/clock.h"
 #include "core/number.h"
 #include "planning/plan/finish.h"
-#include "planning/plan/plan_setup.h"
 
 namespace clearway::study {
 namespace {
@@ -33,6 +32,14 @@ constexpr double kUnlimitedPeriod = 1;  ///< seconds between two looks in a run 
 
 std::string flag(bool value) {
     return value ? "1" : "0";
+}
+
+std::string textOf(double value) {
+    return shortNumber(value);
+}
+
+std::string textOf(std::uint64_t value) {
+    return std::to_string(value);
 }
 
 /// Watches the process's memory and the planner's progress during planning, from a thread of its own.
@@ -283,9 +290,10 @@ const std::vector<RunProperty>& runProperties() {
 Properties propertiesOf(const RunMeasures& measures) {
     Properties properties;
     for (const RunProperty& each : runProperties()) {
-        const std::string text =
-            std::visit([&](auto member) { return cellText(measures.*member); }, each.member);
-        if (!text.empty()) properties[each.property] = text;
+        const auto put = [&](auto member) {
+            if (measures.*member) properties[each.property] = textOf(*(measures.*member));
+        };
+        std::visit(put, each.member);
     }
     return properties;
 }

@@ -13,7 +13,6 @@
 #include "clearway/scene.h"
 #include "clearway/scene_clearance.h"
 #include "planning/plan/plan_setup.h"
-#include "program/bench/table.h"
 
 namespace clearway::study {
 
@@ -21,6 +20,9 @@ constexpr double kBytesPerMegabyte = 1024.0 * 1024.0;
 
 /// Run properties as texts, keyed as in OMPL's benchmark logs. A key ends with a type: "time REAL".
 using Properties = std::map<std::string, std::string>;
+
+using Count = std::optional<std::uint64_t>;
+using Measure = std::optional<double>;
 
 /// Queries and the work that they did.
 struct Work {

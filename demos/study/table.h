@@ -13,11 +13,9 @@
 
 #include "core/number.h"
 #include "core/text.h"
+#include "program/bench/planner_run.h"
 
 namespace clearway::study {
-
-using Count = std::optional<std::uint64_t>;  ///< an empty cell where a row has none
-using Measure = std::optional<double>;       ///< an empty cell where a row has none
 
 /// The name of a column and the member of a row that its cells hold.
 template <class Row>

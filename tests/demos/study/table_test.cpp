@@ -1,4 +1,4 @@
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

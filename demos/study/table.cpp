@@ -1,4 +1,4 @@
-#include "program/bench/table.h"
+#include "demos/study/table.h"
 
 #include <fmt/format.h>
 
