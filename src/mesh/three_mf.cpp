@@ -1,10 +1,8 @@
 #include "mesh/three_mf.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <vector>
 
 #include "clearway/errors.h"
 #include "core/json.h"

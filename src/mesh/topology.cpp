@@ -2,7 +2,6 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 
 namespace clearway {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <utility>
 
 #include "clearway/errors.h"
 #include "clearway/obstacle_groups.h"

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 
 #include "clearway/problem.h"
 #include "core/number.h"

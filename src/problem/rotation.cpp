@@ -1,6 +1,5 @@
 #include "problem/rotation.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace clearway {

@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "mesh/check.h"

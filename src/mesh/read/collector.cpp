@@ -1,13 +1,10 @@
 #include "mesh/read/collector.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 
 #include "clearway/errors.h"
-#include "core/number.h"
-#include "mesh/check.h"
 #include "mesh/components.h"
 #include "mesh/read/polygon.h"
 

@@ -1,5 +1,4 @@
 // Reads COLLADA files: the geometries that the nodes of the visual scene show, each of them as one component.
-#include <unordered_set>
 
 #include "mesh/components.h"
 #include "mesh/read/dae_controller.h"

@@ -1,7 +1,6 @@
 #include "mesh/read/dae_geometry.h"
 
 #include <fmt/format.h>
-#include <limits>
 #include <map>
 
 namespace clearway {

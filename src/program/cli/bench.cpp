@@ -11,7 +11,6 @@
 #include "clearway/planning/planners.h"
 #include "core/clock.h"
 #include "core/hash.h"
-#include "core/number.h"
 #include "core/replace_file.h"
 #include "program/bench/benchmark.h"
 #include "program/bench/benchmark_log.h"

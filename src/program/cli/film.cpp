@@ -12,14 +12,12 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 
 #include "core/replace_file.h"
 #include "program/cli/frames_folder.h"
 #include "program/cli/render.h"
 #include "program/options/facts.h"
-#include "program/options/print.h"
 #include "program/render/film.h"
 
 namespace clearway::cli {

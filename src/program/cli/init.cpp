@@ -27,7 +27,6 @@
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"
 #include "program/options/print.h"
-#include "program/options/program.h"
 #include "program/options/shared_options.h"
 
 namespace clearway::cli {

@@ -11,7 +11,6 @@
 #include "core/clock.h"
 #include "core/number.h"
 #include "model/triangles_of.h"
-#include "program/cli/overlaps.h"
 #include "program/options/facts.h"
 #include "program/options/print.h"
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "mesh/check.h"
 #include "mesh/clean.h"
 #include "mesh/topology.h"
 #include "program/options/facts.h"

@@ -14,7 +14,6 @@
 #include "problem/path_line.h"
 #include "problem/start_remedies.h"
 #include "program/options/print.h"
-#include "program/report/frames.h"
 
 namespace clearway::cli {
 namespace {

@@ -10,11 +10,9 @@
 
 #include "clearway/animation.h"
 #include "clearway/swept_volume.h"
-#include "core/replace_file.h"
 #include "problem/rotation.h"
 #include "program/cli/print_audit.h"
 #include "program/options/facts.h"
-#include "program/options/print.h"
 #include "program/report/report.h"
 
 namespace clearway::cli {

@@ -7,13 +7,9 @@
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <utility>
-#include <vector>
 
-#include "clearway/scene_clearance.h"
 #include "core/number.h"
 #include "program/cli/csv_cells.h"
-#include "program/options/print.h"
 #include "program/report/frames.h"
 
 namespace clearway::cli {

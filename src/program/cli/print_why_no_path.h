@@ -1,8 +1,6 @@
 // How `plan` shows why there is no path: one fact a row, then hints of what to try.
 #pragma once
 
-#include <string>
-
 #include "clearway/planning/explain.h"
 #include "clearway/planning/why_no_path.h"
 #include "clearway/problem.h"

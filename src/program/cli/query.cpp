@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
-#include <optional>
-#include <ostream>
 #include <random>
 #include <stdexcept>
 

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "clearway/query.h"
-#include "clearway/scene_clearance.h"
 #include "program/cli/film.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "clearway/planning/plan.h"
 #include "clearway/targets.h"
 #include "core/clock.h"
 #include "core/replace_file.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "program/render/legend.h"
 #include "program/render/marks.h"
 #include "program/render/samples.h"
 

@@ -1,12 +1,10 @@
 // Sets up the stage and the camera of a picture from its options. The stage has a diagonal of 1.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "program/render/camera.h"
 #include "program/render/exposure.h"
-#include "program/render/legend.h"
 #include "program/render/outlines.h"
 #include "program/render/render.h"
 #include "program/render/stage.h"

@@ -1,6 +1,5 @@
 #include "program/render/pixel.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace clearway::render {

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "program/render/surface.h"
 
