@@ -4,7 +4,6 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include "core/text.h"
-#include "mesh/read/readers.h"
 
 namespace clearway {
 namespace {

@@ -7,9 +7,9 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "mesh/components.h"
+#include "mesh/read/formats.h"
 #include "mesh/read/gltf_accessor.h"
 #include "mesh/read/gltf_primitive.h"
-#include "mesh/read/readers.h"
 
 namespace clearway {
 namespace {
@@ -125,16 +125,179 @@ class GltfScene {
   private:
     GltfItem node(std::size_t number) const { return file_.item("nodes", number, file_.root()); }
 
-    void linkNodes();
-    void placeNodes();
-    std::vector<std::size_t> roots() const;
-    std::vector<std::size_t> shownRoots();
-    std::vector<std::size_t> nodesBelow(const std::vector<std::size_t>& roots) const;
-    void noteOmissions(const std::vector<std::size_t>& shown);
-    void showNode(const GltfItem& node, std::size_t number);
-    GltfShowing showingOf(const GltfItem& node, const GltfItem& mesh);
-    std::vector<Placement> instancesOf(const GltfItem& instancing);
-    std::vector<double> instanceNumbers(const GltfItem& attributes, const char* name, std::size_t width);
+    void linkNodes() {
+        const std::size_t count = file_.count("nodes");
+        parents_.assign(count, kNone);
+        children_.resize(count);
+        for (std::size_t parent = 0; parent < count; ++parent) {
+            const GltfItem item = node(parent);
+            children_[parent] = item.wholeNumbers("children");
+            for (const std::size_t child : children_[parent]) {
+                const GltfItem childItem = file_.item("nodes", child, item);
+                if (parents_[child] != kNone) {
+                    childItem.refuse("is a child of node {} and of node {}, expected one parent",
+                                     parents_[child], parent);
+                }
+                parents_[child] = parent;
+            }
+        }
+    }
+
+    std::vector<std::size_t> roots() const {
+        std::vector<std::size_t> numbers;
+        for (std::size_t number = 0; number < parents_.size(); ++number) {
+            if (parents_[number] == kNone) numbers.push_back(number);
+        }
+        return numbers;
+    }
+
+    /// Depth first, in the file's order.
+    std::vector<std::size_t> nodesBelow(const std::vector<std::size_t>& roots) const {
+        std::vector<std::size_t> found, open(roots.rbegin(), roots.rend());
+        while (!open.empty()) {
+            const std::size_t number = open.back();
+            open.pop_back();
+            found.push_back(number);
+            open.insert(open.end(), children_[number].rbegin(), children_[number].rend());
+        }
+        return found;
+    }
+
+    void placeNodes() {
+        X_fileNode_.resize(parents_.size());
+        std::vector<bool> isPlaced(parents_.size());
+        for (const std::size_t number : nodesBelow(roots())) {
+            const Placement X_parentNode = localPlacement(node(number));
+            const std::size_t parent = parents_[number];
+            X_fileNode_[number] = parent == kNone ? X_parentNode : X_fileNode_[parent] * X_parentNode;
+            isPlaced[number] = true;
+        }
+        const auto lost = std::find(isPlaced.begin(), isPlaced.end(), false);
+        if (lost == isPlaced.end()) return;
+        std::size_t number = std::size_t(lost - isPlaced.begin());
+        for (std::size_t step = 0; step < parents_.size(); ++step)
+            number = parents_[number];  // into the circle
+        node(number).refuse("is below itself");
+    }
+
+    std::vector<std::size_t> shownRoots() {
+        const GltfItem& root = file_.root();
+        const std::optional<std::size_t> stated = root.number("scene");
+        const std::size_t scenes = file_.count("scenes");
+        if (!stated && scenes == 0) return roots();
+        const GltfItem scene = file_.item("scenes", stated.value_or(0), root);
+        if (scenes > 1) mesh_.note("{} is read, one of {} scenes", scene.name, scenes);
+        const std::vector<std::size_t> numbers = scene.wholeNumbers("nodes");
+        std::vector<bool> isListed(parents_.size());
+        for (const std::size_t number : numbers) {
+            const GltfItem item = file_.item("nodes", number, scene);
+            if (parents_[number] != kNone) {
+                item.refuse("is in {} and a child of node {}, expected a node without parent", scene.name,
+                            parents_[number]);
+            }
+            if (isListed[number]) item.refuse("is in {} twice", scene.name);
+            isListed[number] = true;
+        }
+        return numbers;
+    }
+
+    void noteOmissions(const std::vector<std::size_t>& shown) {
+        std::size_t unseen = 0, hidden = 0;
+        for (std::size_t number = 0; number < parents_.size(); ++number)
+            unseen += node(number).find("mesh") != nullptr;
+        for (const std::size_t number : shown) {
+            const GltfItem item = node(number);
+            unseen -= item.find("mesh") != nullptr;
+            const std::optional<GltfItem> visibility = item.extension("KHR_node_visibility");
+            hidden += visibility && visibility->find("visible") && !visibility->flag("visible");
+        }
+        if (unseen > 0) mesh_.note("nodes with meshes outside of the scene left out: {}", unseen);
+        if (hidden > 0) mesh_.note("nodes that the file hides are read, with those below them: {}", hidden);
+        const std::size_t animations = file_.count("animations");
+        if (animations > 0) mesh_.note("animations not applied: {}", animations);
+    }
+
+    GltfShowing showingOf(const GltfItem& node, const GltfItem& mesh) {
+        GltfShowing showing;
+        showing.weights = (node.find("weights") ? node : mesh).numbers("weights");
+        const std::optional<std::size_t> number = node.number("skin");
+        if (!number) return showing;
+        const GltfItem skin = file_.item("skins", *number, node);
+        showing.skin = skin.name;
+        const std::vector<std::size_t> joints = skin.wholeNumbers("joints");
+        if (joints.empty()) skin.refuse("has no joints");
+        std::vector<double> inverses;
+        if (const std::optional<std::size_t> bind = skin.number("inverseBindMatrices")) {
+            const GltfAccessor accessor = file_.accessor(*bind, "MAT4", skin);
+            if (accessor.count < joints.size()) {
+                skin.refuse("has {} joints and {} inverseBindMatrices", joints.size(), accessor.count);
+            }
+            inverses = allNumbers(accessor);
+        }
+        std::size_t mirrored = 0;
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            file_.item("nodes", joints[i], skin);
+            Placement X_fileMesh = X_fileNode_[joints[i]];
+            if (!inverses.empty()) X_fileMesh = X_fileMesh * placementOf(&inverses[16 * i], skin);
+            mirrored += X_fileMesh.isMirrored();
+            showing.joints.push_back(X_fileMesh);
+        }
+        showing.isMirrored = mirrored == joints.size();
+        if (mirrored > 0 && !showing.isMirrored) {
+            mesh_.note("triangles not turned over although joints mirror: {} of {}", mirrored, skin.name);
+        }
+        return showing;
+    }
+
+    void showNode(const GltfItem& node, std::size_t number) {
+        const std::optional<std::size_t> meshNumber = node.number("mesh");
+        if (!meshNumber) return;
+        const GltfItem mesh = file_.item("meshes", *meshNumber, node);
+        const std::vector<GltfItem> primitives = mesh.objects("primitives", "primitive");
+        if (primitives.empty()) mesh.refuse("has no primitives");
+        GltfShowing showing = showingOf(node, mesh);
+        std::vector<Placement> placements(1);
+        if (const std::optional<GltfItem> instancing = node.extension("EXT_mesh_gpu_instancing")) {
+            if (!showing.skin.empty()) instancing->refuse("shows a mesh with a skin, expected one without");
+            placements = instancesOf(*instancing);
+        }
+        const std::string name =
+            componentName(node.text("name").value_or(""), mesh.text("name").value_or(""));
+        for (const Placement& X_nodeMesh : placements) {
+            showing.X_fileMesh = X_fileNode_[number] * X_nodeMesh;
+            if (showing.skin.empty()) showing.isMirrored = showing.X_fileMesh.isMirrored();
+            mesh_.beginComponent(name);
+            addGltfPrimitives(file_, showing, primitives, mesh_);
+        }
+    }
+
+    std::vector<Placement> instancesOf(const GltfItem& instancing) {
+        const std::optional<GltfItem> attributes = instancing.object("attributes");
+        if (!attributes) instancing.refuse("has no attributes");
+        const std::vector<double> moves = instanceNumbers(*attributes, "TRANSLATION", 3),
+                                  turns = instanceNumbers(*attributes, "ROTATION", 4),
+                                  scales = instanceNumbers(*attributes, "SCALE", 3);
+        const std::size_t count = std::max({moves.size() / 3, turns.size() / 4, scales.size() / 3});
+        for (const std::size_t rows : {moves.size() / 3, turns.size() / 4, scales.size() / 3}) {
+            if (rows == count || rows == 0) continue;
+            attributes->refuse("have {} and {} rows, expected equal counts", rows, count);
+        }
+        if (count == 0) attributes->refuse("have no TRANSLATION, ROTATION or SCALE");
+        std::vector<Placement> placements(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            Placement& placement = placements[i];
+            if (!turns.empty()) placement.linear = rotationOf(&turns[4 * i], kUnitLengthOfBytes, *attributes);
+            if (!scales.empty()) placement.linear *= Vector3(&scales[3 * i]).asDiagonal();
+            if (!moves.empty()) placement.translation = Vector3(&moves[3 * i]);
+        }
+        return placements;
+    }
+
+    std::vector<double> instanceNumbers(const GltfItem& attributes, const char* name, std::size_t width) {
+        const std::optional<std::size_t> number = attributes.number(name);
+        if (!number) return {};
+        return allNumbers(file_.accessor(*number, width == 3 ? "VEC3" : "VEC4", attributes));
+    }
 
     GltfFile file_;
     MeshCollector& mesh_;
@@ -142,180 +305,6 @@ class GltfScene {
     std::vector<std::vector<std::size_t>> children_;
     std::vector<Placement> X_fileNode_;
 };
-
-void GltfScene::linkNodes() {
-    const std::size_t count = file_.count("nodes");
-    parents_.assign(count, kNone);
-    children_.resize(count);
-    for (std::size_t parent = 0; parent < count; ++parent) {
-        const GltfItem item = node(parent);
-        children_[parent] = item.wholeNumbers("children");
-        for (const std::size_t child : children_[parent]) {
-            const GltfItem childItem = file_.item("nodes", child, item);
-            if (parents_[child] != kNone) {
-                childItem.refuse("is a child of node {} and of node {}, expected one parent", parents_[child],
-                                 parent);
-            }
-            parents_[child] = parent;
-        }
-    }
-}
-
-std::vector<std::size_t> GltfScene::roots() const {
-    std::vector<std::size_t> numbers;
-    for (std::size_t number = 0; number < parents_.size(); ++number) {
-        if (parents_[number] == kNone) numbers.push_back(number);
-    }
-    return numbers;
-}
-
-/// Depth first, in the file's order.
-std::vector<std::size_t> GltfScene::nodesBelow(const std::vector<std::size_t>& roots) const {
-    std::vector<std::size_t> found, open(roots.rbegin(), roots.rend());
-    while (!open.empty()) {
-        const std::size_t number = open.back();
-        open.pop_back();
-        found.push_back(number);
-        open.insert(open.end(), children_[number].rbegin(), children_[number].rend());
-    }
-    return found;
-}
-
-void GltfScene::placeNodes() {
-    X_fileNode_.resize(parents_.size());
-    std::vector<bool> isPlaced(parents_.size());
-    for (const std::size_t number : nodesBelow(roots())) {
-        const Placement X_parentNode = localPlacement(node(number));
-        const std::size_t parent = parents_[number];
-        X_fileNode_[number] = parent == kNone ? X_parentNode : X_fileNode_[parent] * X_parentNode;
-        isPlaced[number] = true;
-    }
-    const auto lost = std::find(isPlaced.begin(), isPlaced.end(), false);
-    if (lost == isPlaced.end()) return;
-    std::size_t number = std::size_t(lost - isPlaced.begin());
-    for (std::size_t step = 0; step < parents_.size(); ++step) number = parents_[number];  // into the circle
-    node(number).refuse("is below itself");
-}
-
-std::vector<std::size_t> GltfScene::shownRoots() {
-    const GltfItem& root = file_.root();
-    const std::optional<std::size_t> stated = root.number("scene");
-    const std::size_t scenes = file_.count("scenes");
-    if (!stated && scenes == 0) return roots();
-    const GltfItem scene = file_.item("scenes", stated.value_or(0), root);
-    if (scenes > 1) mesh_.note("{} is read, one of {} scenes", scene.name, scenes);
-    const std::vector<std::size_t> numbers = scene.wholeNumbers("nodes");
-    std::vector<bool> isListed(parents_.size());
-    for (const std::size_t number : numbers) {
-        const GltfItem item = file_.item("nodes", number, scene);
-        if (parents_[number] != kNone) {
-            item.refuse("is in {} and a child of node {}, expected a node without parent", scene.name,
-                        parents_[number]);
-        }
-        if (isListed[number]) item.refuse("is in {} twice", scene.name);
-        isListed[number] = true;
-    }
-    return numbers;
-}
-
-void GltfScene::noteOmissions(const std::vector<std::size_t>& shown) {
-    std::size_t unseen = 0, hidden = 0;
-    for (std::size_t number = 0; number < parents_.size(); ++number)
-        unseen += node(number).find("mesh") != nullptr;
-    for (const std::size_t number : shown) {
-        const GltfItem item = node(number);
-        unseen -= item.find("mesh") != nullptr;
-        const std::optional<GltfItem> visibility = item.extension("KHR_node_visibility");
-        hidden += visibility && visibility->find("visible") && !visibility->flag("visible");
-    }
-    if (unseen > 0) mesh_.note("nodes with meshes outside of the scene left out: {}", unseen);
-    if (hidden > 0) mesh_.note("nodes that the file hides are read, with those below them: {}", hidden);
-    const std::size_t animations = file_.count("animations");
-    if (animations > 0) mesh_.note("animations not applied: {}", animations);
-}
-
-GltfShowing GltfScene::showingOf(const GltfItem& node, const GltfItem& mesh) {
-    GltfShowing showing;
-    showing.weights = (node.find("weights") ? node : mesh).numbers("weights");
-    const std::optional<std::size_t> number = node.number("skin");
-    if (!number) return showing;
-    const GltfItem skin = file_.item("skins", *number, node);
-    showing.skin = skin.name;
-    const std::vector<std::size_t> joints = skin.wholeNumbers("joints");
-    if (joints.empty()) skin.refuse("has no joints");
-    std::vector<double> inverses;
-    if (const std::optional<std::size_t> bind = skin.number("inverseBindMatrices")) {
-        const GltfAccessor accessor = file_.accessor(*bind, "MAT4", skin);
-        if (accessor.count < joints.size()) {
-            skin.refuse("has {} joints and {} inverseBindMatrices", joints.size(), accessor.count);
-        }
-        inverses = allNumbers(accessor);
-    }
-    std::size_t mirrored = 0;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        file_.item("nodes", joints[i], skin);
-        Placement X_fileMesh = X_fileNode_[joints[i]];
-        if (!inverses.empty()) X_fileMesh = X_fileMesh * placementOf(&inverses[16 * i], skin);
-        mirrored += X_fileMesh.isMirrored();
-        showing.joints.push_back(X_fileMesh);
-    }
-    showing.isMirrored = mirrored == joints.size();
-    if (mirrored > 0 && !showing.isMirrored) {
-        mesh_.note("triangles not turned over although joints mirror: {} of {}", mirrored, skin.name);
-    }
-    return showing;
-}
-
-void GltfScene::showNode(const GltfItem& node, std::size_t number) {
-    const std::optional<std::size_t> meshNumber = node.number("mesh");
-    if (!meshNumber) return;
-    const GltfItem mesh = file_.item("meshes", *meshNumber, node);
-    const std::vector<GltfItem> primitives = mesh.objects("primitives", "primitive");
-    if (primitives.empty()) mesh.refuse("has no primitives");
-    GltfShowing showing = showingOf(node, mesh);
-    std::vector<Placement> placements(1);
-    if (const std::optional<GltfItem> instancing = node.extension("EXT_mesh_gpu_instancing")) {
-        if (!showing.skin.empty()) instancing->refuse("shows a mesh with a skin, expected one without");
-        placements = instancesOf(*instancing);
-    }
-    const std::string name = componentName(node.text("name").value_or(""), mesh.text("name").value_or(""));
-    for (const Placement& X_nodeMesh : placements) {
-        showing.X_fileMesh = X_fileNode_[number] * X_nodeMesh;
-        if (showing.skin.empty()) showing.isMirrored = showing.X_fileMesh.isMirrored();
-        mesh_.beginComponent(name);
-        GltfComponent component(file_, showing, mesh_);
-        for (const GltfItem& primitive : primitives) component.add(primitive);
-    }
-}
-
-std::vector<Placement> GltfScene::instancesOf(const GltfItem& instancing) {
-    const std::optional<GltfItem> attributes = instancing.object("attributes");
-    if (!attributes) instancing.refuse("has no attributes");
-    const std::vector<double> moves = instanceNumbers(*attributes, "TRANSLATION", 3),
-                              turns = instanceNumbers(*attributes, "ROTATION", 4),
-                              scales = instanceNumbers(*attributes, "SCALE", 3);
-    const std::size_t count = std::max({moves.size() / 3, turns.size() / 4, scales.size() / 3});
-    for (const std::size_t rows : {moves.size() / 3, turns.size() / 4, scales.size() / 3}) {
-        if (rows == count || rows == 0) continue;
-        attributes->refuse("have {} and {} rows, expected equal counts", rows, count);
-    }
-    if (count == 0) attributes->refuse("have no TRANSLATION, ROTATION or SCALE");
-    std::vector<Placement> placements(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        Placement& placement = placements[i];
-        if (!turns.empty()) placement.linear = rotationOf(&turns[4 * i], kUnitLengthOfBytes, *attributes);
-        if (!scales.empty()) placement.linear *= Vector3(&scales[3 * i]).asDiagonal();
-        if (!moves.empty()) placement.translation = Vector3(&moves[3 * i]);
-    }
-    return placements;
-}
-
-std::vector<double> GltfScene::instanceNumbers(const GltfItem& attributes, const char* name,
-                                               std::size_t width) {
-    const std::optional<std::size_t> number = attributes.number(name);
-    if (!number) return {};
-    return allNumbers(file_.accessor(*number, width == 3 ? "VEC3" : "VEC4", attributes));
-}
 
 }  // namespace
 

@@ -21,8 +21,6 @@ constexpr std::string_view kBinaryMagic = "glTF";
 constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;  ///< bytes
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
-constexpr std::size_t kFloatType = 5126;
-
 std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     std::uint32_t word = 0;
     std::memcpy(&word, bytes.data() + at, sizeof word);
@@ -76,22 +74,6 @@ std::string decodeBase64(std::string_view text, const GltfItem& item) {
     return bytes;
 }
 
-std::size_t sizeOf(std::size_t componentType) {
-    switch (componentType) {
-        case 5120:
-        case 5121:
-            return 1;
-        case 5122:
-        case 5123:
-            return 2;
-        case 5125:
-        case kFloatType:
-            return 4;
-        default:
-            return 0;
-    }
-}
-
 std::size_t widthOf(const std::string& type) {
     if (type == "SCALAR") return 1;
     if (type == "VEC3") return 3;
@@ -112,24 +94,25 @@ void convert(const GltfRows& rows, std::size_t first, std::size_t count, double*
     }
 }
 
+struct ComponentType {
+    std::size_t code, bytes;
+    void (*convert)(const GltfRows& rows, std::size_t first, std::size_t count, double* numbers);
+};
+constexpr ComponentType kComponentTypes[] = {
+    {5120, 1, convert<std::int8_t>},   {5121, 1, convert<std::uint8_t>},  {5122, 2, convert<std::int16_t>},
+    {5123, 2, convert<std::uint16_t>}, {5125, 4, convert<std::uint32_t>}, {5126, 4, convert<float>}};
+
+const ComponentType* typeOf(const GltfRows& rows) {
+    const auto isIt = [&](const ComponentType& type) { return type.code == rows.componentType; };
+    const auto type = std::find_if(std::begin(kComponentTypes), std::end(kComponentTypes), isIt);
+    return type == std::end(kComponentTypes) ? nullptr : type;
+}
+
 }  // namespace
 
 void GltfRows::read(std::size_t first, std::size_t rows, double* numbers) const {
     if (!data) return void(std::fill_n(numbers, rows * width, 0.0));
-    switch (componentType) {
-        case 5120:
-            return convert<std::int8_t>(*this, first, rows, numbers);
-        case 5121:
-            return convert<std::uint8_t>(*this, first, rows, numbers);
-        case 5122:
-            return convert<std::int16_t>(*this, first, rows, numbers);
-        case 5123:
-            return convert<std::uint16_t>(*this, first, rows, numbers);
-        case 5125:
-            return convert<std::uint32_t>(*this, first, rows, numbers);
-        default:
-            return convert<float>(*this, first, rows, numbers);
-    }
+    typeOf(*this)->convert(*this, first, rows, numbers);
 }
 
 void GltfAccessor::read(std::size_t first, std::size_t rows, double* numbers) const {
@@ -268,13 +251,13 @@ std::string_view GltfFile::view(std::size_t number, std::size_t& stride, const G
 }
 
 void GltfFile::setRows(GltfRows& rows, const GltfItem& item, const GltfItem& owner) {
-    const std::size_t component = sizeOf(rows.componentType);
-    if (component == 0) {
+    const ComponentType* const type = typeOf(rows);
+    if (!type) {
         owner.refuse("has componentType {}, expected 5120 to 5123, 5125 or 5126", rows.componentType);
     }
     const std::optional<std::size_t> number = item.number("bufferView");
     if (!number) return;
-    const std::size_t row = rows.width * component;
+    const std::size_t row = rows.width * type->bytes;
     rows.stride = row;
     const std::string_view bytes = view(*number, rows.stride, item);
     const std::size_t first = item.number("byteOffset").value_or(0);
@@ -325,7 +308,8 @@ GltfAccessor GltfFile::accessor(std::size_t number, const std::string& type, con
     accessor.width = widthOf(type);
     accessor.componentType = item.requiredNumber("componentType");
     accessor.isNormalized = item.flag("normalized");
-    if (accessor.isNormalized && sizeOf(accessor.componentType) == 4) {
+    const ComponentType* const stated = typeOf(accessor);
+    if (accessor.isNormalized && stated && stated->bytes == 4) {
         item.refuse("is normalized with componentType {}, expected 5120 to 5123", accessor.componentType);
     }
     setRows(accessor, item, item);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/read/readers.h"
+#include "mesh/read/formats.h"
 #include "mesh/read/scanner.h"
 
 namespace clearway {

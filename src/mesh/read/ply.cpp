@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/number.h"
-#include "mesh/read/readers.h"
+#include "mesh/read/formats.h"
 #include "mesh/read/scanner.h"
 
 namespace clearway {

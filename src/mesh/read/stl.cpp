@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "mesh/read/readers.h"
+#include "mesh/read/formats.h"
 #include "mesh/read/scanner.h"
 
 namespace clearway {

@@ -6,7 +6,7 @@
 #include <map>
 #include <unordered_set>
 
-#include "mesh/read/readers.h"
+#include "mesh/read/formats.h"
 #include "mesh/read/three_mf_package.h"
 
 namespace clearway {
