@@ -42,6 +42,12 @@ FloatJson boundsOf(const Vertices& vertices) {
     return {{"min", least}, {"max", most}};
 }
 
+void writeWord(std::ostream& stream, std::uint64_t word) {
+    const char bytes[4] = {static_cast<char>(word), static_cast<char>(word >> 8),
+                           static_cast<char>(word >> 16), static_cast<char>(word >> 24)};
+    stream.write(bytes, sizeof bytes);
+}
+
 /// The JSON description and pointers to the data of the binary chunk. Added data must outlive the document.
 class Document {
   public:
@@ -80,7 +86,26 @@ class Document {
         return add("accessors", std::move(accessor));
     }
 
-    void write(std::ostream& stream);
+    void write(std::ostream& stream) {
+        json_["buffers"][0]["byteLength"] = binaryBytes_;
+        std::string text = jsonText(json_);
+        text.append((4 - text.size() % 4) % 4, ' ');  // whole words
+        const std::uint64_t bytes = 12 + 8 + text.size() + 8 + binaryBytes_;
+        if (bytes > std::numeric_limits<std::uint32_t>::max()) {
+            throw ArgumentError(
+                fmt::format("the mesh takes {} bytes, expected at most 2^32 - 1 for a .glb file", bytes));
+        }
+        writeWord(stream, 0x46546c67);  // "glTF"
+        writeWord(stream, 2);
+        writeWord(stream, bytes);
+        writeWord(stream, text.size());
+        writeWord(stream, 0x4e4f534a);  // "JSON"
+        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+        writeWord(stream, binaryBytes_);
+        writeWord(stream, 0x004e4942);  // "BIN"
+        for (const Piece& piece : pieces_)
+            stream.write(static_cast<const char*>(piece.data), static_cast<std::streamsize>(piece.bytes));
+    }
 
   private:
     struct Piece {
@@ -91,33 +116,6 @@ class Document {
     std::vector<Piece> pieces_;
     std::uint64_t binaryBytes_ = 0;
 };
-
-void writeWord(std::ostream& stream, std::uint64_t word) {
-    const char bytes[4] = {static_cast<char>(word), static_cast<char>(word >> 8),
-                           static_cast<char>(word >> 16), static_cast<char>(word >> 24)};
-    stream.write(bytes, sizeof bytes);
-}
-
-void Document::write(std::ostream& stream) {
-    json_["buffers"][0]["byteLength"] = binaryBytes_;
-    std::string text = jsonText(json_);
-    text.append((4 - text.size() % 4) % 4, ' ');  // whole words
-    const std::uint64_t bytes = 12 + 8 + text.size() + 8 + binaryBytes_;
-    if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-        throw ArgumentError(
-            fmt::format("the mesh takes {} bytes, expected at most 2^32 - 1 for a .glb file", bytes));
-    }
-    writeWord(stream, 0x46546c67);  // "glTF"
-    writeWord(stream, 2);
-    writeWord(stream, bytes);
-    writeWord(stream, text.size());
-    writeWord(stream, 0x4e4f534a);  // "JSON"
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    writeWord(stream, binaryBytes_);
-    writeWord(stream, 0x004e4942);  // "BIN"
-    for (const Piece& piece : pieces_)
-        stream.write(static_cast<const char*>(piece.data), static_cast<std::streamsize>(piece.bytes));
-}
 
 FloatJson materialOf(const std::string& name, const std::array<float, 4>& colour) {
     return {{"name", name},
@@ -151,39 +149,26 @@ struct Samples {
     }
 };
 
-/// Adds the channels of one mover to an animation.
-class Channels {
-  public:
-    Channels(Document& document, FloatJson& animation, std::size_t node)
-        : document_(document), animation_(animation), node_(node) {}
-
-    void add(const Samples& samples) {
-        const std::size_t times = addTimes(samples.times);
-        add("translation", times, document_.addAccessor(samples.positions, kFloat, "VEC3", 0), "LINEAR");
-        add("rotation", times, document_.addAccessor(samples.rotations, kFloat, "VEC4", 0), "LINEAR");
-        if (samples.showTimes.empty()) return;
-        add("scale", addTimes(samples.showTimes), document_.addAccessor(samples.scales, kFloat, "VEC3", 0),
-            "STEP");
-    }
-
-  private:
-    std::size_t addTimes(const std::vector<float>& times) {
-        return document_.addAccessor(
+/// Adds the channels of one mover, the node, to an animation.
+void addChannels(const Samples& samples, std::size_t node, Document& document, FloatJson& animation) {
+    const auto addTimes = [&](const std::vector<float>& times) {
+        return document.addAccessor(
             times, kFloat, "SCALAR", 0,
             {{"min", FloatJson::array({times.front()})}, {"max", FloatJson::array({times.back()})}});
-    }
-    void add(const char* path, std::size_t input, std::size_t output, const char* interpolation) {
-        const std::size_t sampler = animation_["samplers"].size();
-        animation_["samplers"].push_back(
+    };
+    const auto add = [&](const char* path, std::size_t input, std::size_t output, const char* interpolation) {
+        const std::size_t sampler = animation["samplers"].size();
+        animation["samplers"].push_back(
             {{"input", input}, {"interpolation", interpolation}, {"output", output}});
-        animation_["channels"].push_back(
-            {{"sampler", sampler}, {"target", {{"node", node_}, {"path", path}}}});
-    }
-
-    Document& document_;
-    FloatJson& animation_;
-    std::size_t node_;
-};
+        animation["channels"].push_back({{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
+    };
+    const std::size_t times = addTimes(samples.times);
+    add("translation", times, document.addAccessor(samples.positions, kFloat, "VEC3", 0), "LINEAR");
+    add("rotation", times, document.addAccessor(samples.rotations, kFloat, "VEC4", 0), "LINEAR");
+    if (samples.showTimes.empty()) return;
+    const std::size_t showTimes = addTimes(samples.showTimes);
+    add("scale", showTimes, document.addAccessor(samples.scales, kFloat, "VEC3", 0), "STEP");
+}
 
 std::array<float, 3> rounded(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
     if (vertex.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
@@ -254,7 +239,7 @@ void writeMovingGlb(const std::vector<SavePart>& still, const std::vector<GlbMov
                                    {"rotation", first.rotation},
                                    {"children", addParts(movers[i].parts, materialOf("part", colour))}});
         nodes.push_back(node);
-        Channels(document, animation, node).add(samples[i]);
+        addChannels(samples[i], node, document, animation);
     }
     FloatJson root = FloatJson::array();
     for (int i = 0; i < 16; ++i) root.push_back(i < 15 ? metres * kUpright[i] : kUpright[i]);

@@ -35,30 +35,30 @@ void count(const Side* first, const Side* last, EdgeReport& report) {
 
 /// The sides of all triangles, grouped by lower vertex.
 struct SidesByVertex {
-    explicit SidesByVertex(const std::vector<TriangleIndices>& triangles);
+    explicit SidesByVertex(const std::vector<TriangleIndices>& triangles) : sides(3 * triangles.size()) {
+        std::uint32_t vertices = 0;
+        for (const TriangleIndices& t : triangles)
+            vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
+        end.assign(vertices + std::size_t(1), 0);
+        const auto eachSide = [&](const auto& take) {
+            for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+                for (int k = 0; k < 3; ++k) take(i, triangles[i][k], triangles[i][(k + 1) % 3]);
+            }
+        };
+        eachSide([&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
+        std::partial_sum(end.begin(), end.end(), end.begin());
+        eachSide([&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
+            const TriangleIndices& t = triangles[i];
+            const bool isCollapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+            const int direction = isCollapsed ? 0 : from < to ? 1 : -1;
+            sides[end[std::min(from, to)]++] = {std::max(from, to), i, direction};
+        });
+        end.pop_back();
+    }
+
     std::vector<Side> sides;
     std::vector<std::size_t> end;  ///< of each vertex's group
 };
-
-SidesByVertex::SidesByVertex(const std::vector<TriangleIndices>& triangles) : sides(3 * triangles.size()) {
-    std::uint32_t vertices = 0;
-    for (const TriangleIndices& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
-    end.assign(vertices + std::size_t(1), 0);
-    const auto eachSide = [&](const auto& take) {
-        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            for (int k = 0; k < 3; ++k) take(i, triangles[i][k], triangles[i][(k + 1) % 3]);
-        }
-    };
-    eachSide([&](std::uint32_t, std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    eachSide([&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
-        const TriangleIndices& t = triangles[i];
-        const bool isCollapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-        const int direction = isCollapsed ? 0 : from < to ? 1 : -1;
-        sides[end[std::min(from, to)]++] = {std::max(from, to), i, direction};
-    });
-    end.pop_back();
-}
 
 /// Disjoint sets of numbers (union-find), each named by its least member.
 class Groups {
