@@ -16,8 +16,6 @@
 namespace clearway {
 namespace {
 
-constexpr std::size_t kMostListed = 30;
-
 using Path = std::filesystem::path;
 
 /// The last `depth` names of a path, with or without the file's ending.
@@ -70,10 +68,10 @@ std::vector<std::size_t> where(const std::vector<ObstacleNames::Component>& comp
 
 }  // namespace
 
-std::string listed(const std::vector<std::string>& names) {
+std::string listed(const std::vector<std::string>& names, std::size_t most) {
     std::vector<std::string> quoted;
     for (const std::string& name : names) {
-        if (quoted.size() == kMostListed) break;
+        if (quoted.size() == most) break;
         quoted.push_back("'" + name + "'");
     }
     const std::size_t others = names.size() - quoted.size();

@@ -37,7 +37,7 @@ class ObstacleNames {
     std::vector<Component> components_;
 };
 
-/// The names in quotes, cut after 30: "'a', 'b' and 7 more".
-std::string listed(const std::vector<std::string>& names);
+/// The names in quotes, and how many there are beyond the most that are shown: "'a', 'b' and 7 more".
+std::string listed(const std::vector<std::string>& names, std::size_t most = 30);
 
 }  // namespace clearway

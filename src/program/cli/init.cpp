@@ -66,11 +66,8 @@ void takePartsOut(InitArguments& given) {
         throw std::invalid_argument("--part names all parts of '" + given.part +
                                     "', expected one that stands still");
     std::vector<std::string> moves;
-    for (const std::size_t component : moving) moves.push_back(quote(names.components()[component].name));
-    const std::size_t shown = std::min(moves.size(), kMostNamed);
-    const std::string more = moves.size() > shown ? fmt::format(" and {} more", moves.size() - shown) : "";
-    moves.resize(shown);
-    given.moves = joined(moves) + more;
+    for (const std::size_t component : moving) moves.push_back(names.components()[component].name);
+    given.moves = listed(moves, kMostNamed);
     const std::size_t file = *movingFiles.begin();
     given.part = files[file];
     given.environment = files;
@@ -364,12 +361,7 @@ int init(const Arguments& words) {
         if (const std::string note = EnclosureNotes(scenes.meshes()).at({}); !note.empty())
             printWarnings({"at the start " + note});
     } else {
-        std::vector<std::string> names;
-        for (std::size_t i = 0; i < seen.touched.size() && i < kMostNamed; ++i)
-            names.push_back("'" + seen.touched[i] + "'");
-        const std::size_t more = seen.touched.size() - names.size();
-        printRow("start", "touches " + joined(names) +
-                              (more > 0 ? " and " + std::to_string(more) + " more" : "") +
+        printRow("start", "touches " + listed(seen.touched, kMostNamed) +
                               startAdvice(problem, seen.touched, contactLength, true));
         const std::optional<Lift> lift = tellLiftIfAny(problem, scenes);
         for (StartRemedy& remedy : seen.remedies) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/text.h"
+#include "model/obstacle_names.h"
 #include "program/options/print.h"
 
 namespace clearway::cli {
@@ -143,12 +144,6 @@ void printHintOfContact(const WhyNoPath& why, const Problem& problem) {
                  ": its obstacles count from there on, and no state reached is much farther from the start");
 }
 
-std::string quoted(const std::vector<std::string>& names) {
-    std::vector<std::string> all;
-    for (const std::string& name : names) all.push_back("'" + name + "'");
-    return joined(all);
-}
-
 void printMarginFound(const planning::Explanation& explanation, double largestMargin) {
     if (!explanation.isMarginTried) return;
     if (!explanation.marginScale)
@@ -185,7 +180,7 @@ void printExplanation(const planning::Explanation& explanation, double largestMa
                                  (explanation.areObstaclesTried ? " (greedy; smaller sets may exist)" : ""));
     if (!explanation.path.empty()) return;  // nothing has to go
     for (const std::vector<std::string>& set : explanation.withoutThese)
-        printRow("found without", quoted(set));
+        printRow("found without", listed(set, set.size()));
     if (explanation.areObstaclesTried && explanation.withoutThese.empty()) {
         printRow("found without", "none of the sets of obstacles that were tried");
     }

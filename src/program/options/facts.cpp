@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "core/text.h"
+#include "model/obstacle_names.h"
 
 namespace clearway::cli {
 
@@ -46,10 +47,6 @@ Fact obstacleFact(const std::vector<Component>& components, std::size_t triangle
     json["solid"] = group.solids != nullptr;
     json["ignored_near_start"] = group.isIgnoredAtStart;
     json["ignored_near_goal"] = group.isIgnoredAtGoal;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < components.size() && i < kMostNames; ++i)
-        names.push_back("'" + components[i].name + "'");
-    const std::size_t more = components.size() - names.size();
     const bool atStart = group.isIgnoredAtStart, atGoal = group.isIgnoredAtGoal;
     const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
                               : atStart         ? ", ignored near the start"
@@ -59,7 +56,7 @@ Fact obstacleFact(const std::vector<Component>& components, std::size_t triangle
                                  ? "overlap " + statedLength(overlap)
                                  : "margin " + statedLength(group.margin) + (group.solids ? ", solid" : "");
     return {"obstacle",
-            fmt::format("{}{}: {}, {}{}", joined(names), more > 0 ? fmt::format(" and {} more", more) : "",
+            fmt::format("{}: {}, {}{}", listed(namesOf(components), kMostNames),
                         counted(triangles, "triangle"), rule, where),
             "", std::move(json)};
 }
