@@ -176,4 +176,17 @@ void makeFolder(const std::string& folder) {
                     ", expected a folder that exists or a name for a new one");
 }
 
+bool isSameFile(const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code isMissing;
+    if (fs::equivalent(a, b, isMissing)) return true;
+    const auto whole = [](const std::string& name) {
+        std::error_code isGone;  // the current folder: names are then compared as they are
+        const fs::path absolute = fs::absolute(name, isGone);
+        const fs::path canonical = isGone ? fs::path() : fs::weakly_canonical(absolute, isGone);
+        return (isGone ? fs::path(name) : canonical).lexically_normal();
+    };
+    return whole(a) == whole(b);
+}
+
 }  // namespace clearway

@@ -35,4 +35,7 @@ std::optional<std::string> setAside(const std::string& file);
 /// cannot be made.
 void makeFolder(const std::string& folder);
 
+/// Whether both names mean one file, which need not exist yet: ./a.html and a.html.
+bool isSameFile(const std::string& a, const std::string& b);
+
 }  // namespace clearway

@@ -8,6 +8,7 @@
 
 #include "clearway/problem.h"
 #include "core/number.h"
+#include "core/replace_file.h"
 #include "core/text.h"
 #include "problem/config.h"
 #include "problem/known_keys.h"
@@ -43,24 +44,11 @@ bool exists(const std::string& name, const std::string& config) {
     return fs::exists(fs::path(config).parent_path() / name, ignored) || fs::exists(name, ignored);
 }
 
-bool isOneFile(const std::string& a, const std::string& b) {
-    namespace fs = std::filesystem;
-    std::error_code isMissing;
-    if (fs::equivalent(a, b, isMissing)) return true;
-    // Without a current folder names are compared as they are.
-    const auto whole = [](const std::string& name) {
-        std::error_code isGone;
-        const fs::path absolute = fs::absolute(name, isGone);
-        return (isGone ? fs::path(name) : absolute).lexically_normal();
-    };
-    return whole(a) == whole(b);
-}
-
 void requireEachOnce(const ConfigValues& values, const std::string& key,
                      const std::vector<std::string>& files) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (isOneFile(files[i], files[j]))
+            if (isSameFile(files[i], files[j]))
                 values.refuse(key, "each file once, but " + files[i] + " stands twice");
         }
     }
@@ -88,7 +76,7 @@ void readWorlds(ConfigValues& values, Problem& problem) {
     requireEachOnce(values, key, names);
     if (isAssembly) {
         const auto rest = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-            return isOneFile(name, problem.meshes.robot);
+            return isSameFile(name, problem.meshes.robot);
         });
         if (rest != names.end())
             *rest = problem.meshes.robot;

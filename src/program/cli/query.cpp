@@ -82,7 +82,7 @@ std::string describe(const Question& question, const Answer& answer, const Model
                      const Model& environment) {
     if (question.kind != Question::Kind::kDistance) return answer.verdict ? "yes" : "no";
     const DistanceResult& found = answer.distance;
-    if (isBeyondCap(found)) return "beyond the cap";
+    if (!found.witness) return "beyond the cap";
     return fmt::format("{}, on the part {}triangle {} at {}, on the environment {}triangle {} at {}",
                        readable(found.distance), quotedNameAt(part, found.witness->partComponent),
                        found.witness->partTriangle, readable(found.witness->pointOnPart),
@@ -238,7 +238,7 @@ int query(const Arguments& arguments) {
     const auto load = [&](const std::string& file) {
         const Mesh mesh = guardedLoadMesh(file, given.load);
         deflection = std::max(deflection, deflectionOf(mesh));
-        return given.trees.build(mesh);
+        return given.trees.build(mesh, given.trees.options);
     };
     const Model part = load(given.part), environment = load(given.environment);
     if (const std::string note = unitNote(part.box(), environment.box(), ""); !note.empty())

@@ -20,16 +20,6 @@ namespace clearway::cli {
 
 namespace {
 
-/// True if both names mean one file, which need not exist yet: ./a.html and a.html.
-bool isSameFile(const std::string& a, const std::string& b) {
-    namespace fs = std::filesystem;
-    std::error_code missing, unknown;
-    if (a == b || fs::equivalent(a, b, missing)) return true;
-    const fs::path wholeA = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
-    const fs::path wholeB = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
-    return !unknown && wholeA == wholeB;
-}
-
 /// A folder that keeps nothing is reported once, not for each obstacle.
 void warnOfCache(const std::string& warning, bool isKept) {
     static std::atomic<bool> isReported{false};
@@ -81,10 +71,6 @@ void addOmplWeights(CommandLine& commandLine, bool& omplWeights) {
 
 void addTarget(CommandLine& commandLine) {
     commandLine.option("--target NAME", "instruction set, one that this machine has (the best)", useTarget);
-}
-
-Model TreeChoice::build(const Mesh& mesh) const {
-    return build(mesh, options, std::nullopt);
 }
 
 Model TreeChoice::build(const Mesh& mesh, const BuildOptions& others,

@@ -46,12 +46,10 @@ struct TreeChoice {
     BuildOptions options;
     std::string cache;
 
-    /// Builds the mesh's model with these options, or takes it from the cache. Replaces a file there that
+    /// Builds the mesh's model with these options or others, or takes it from the cache. Replaces a file there that
     /// cannot be used, with a warning on stderr. Goes on without a cache that cannot be written, with one warning.
-    Model build(const Mesh& mesh) const;
-
-    /// The model with other options, and for a range.
-    Model build(const Mesh& mesh, const BuildOptions& others, const std::optional<QueryRange>& range) const;
+    Model build(const Mesh& mesh, const BuildOptions& others,
+                const std::optional<QueryRange>& range = std::nullopt) const;
 
     /// Calls clearway::shrink, or takes its result from the cache as build() does.
     ShrunkPart shrink(const Mesh& mesh, const ShrinkOptions& shrinkOptions) const;
