@@ -18,41 +18,18 @@ struct KnownKeys {
 const std::vector<KnownKeys>& knownKeys() {
     static const std::vector<KnownKeys> all = {
         {"problem",
-         {"name",
-          "robot",
-          "world",
-          "start.x",
-          "start.y",
-          "start.z",
-          "start.axis.x",
-          "start.axis.y",
-          "start.axis.z",
-          "start.theta",
-          "goal.x",
-          "goal.y",
-          "goal.z",
-          "goal.axis.x",
-          "goal.axis.y",
-          "goal.axis.z",
-          "goal.theta",
-          "threshold",
-          "volume.min.x",
-          "volume.min.y",
-          "volume.min.z",
-          "volume.max.x",
-          "volume.max.y",
-          "volume.max.z",
-          "objective",
-          "objective.threshold",
-          "sampler",
-          "standard_deviation",
-          "longest_valid_segment_fraction",
-          "projection.cellsize_factor"}},
+         splitNames("name, robot, world, start.x, start.y, start.z, start.axis.x, start.axis.y, "
+                    "start.axis.z, start.theta, goal.x, goal.y, goal.z, goal.axis.x, goal.axis.y, "
+                    "goal.axis.z, goal.theta, threshold, volume.min.x, volume.min.y, volume.min.z, "
+                    "volume.max.x, volume.max.y, volume.max.z, objective, objective.threshold, "
+                    "sampler, standard_deviation, longest_valid_segment_fraction, "
+                    "projection.cellsize_factor")
+             .value()},
         {"benchmark", {"time_limit", "mem_limit", "run_count", "output", "save_paths", "simplify"}},
-        {"clearway", {"contact.goal", "contact.start", "deflection", "fineness",    "goal",
-                      "goal.degrees", "ignore",        "margin",     "margin.NAME", "outside",
-                      "overlap",      "overlap.NAME",  "part",       "reading",     "robot.scale",
-                      "solid",        "start.degrees", "step",       "unit",        "world.scale"}},
+        {"clearway", splitNames("contact.goal, contact.start, deflection, fineness, goal, goal.degrees, "
+                                "ignore, margin, margin.NAME, outside, overlap, overlap.NAME, part, reading, "
+                                "robot.scale, solid, start.degrees, step, unit, world.scale")
+                         .value()},
     };
     return all;
 }
