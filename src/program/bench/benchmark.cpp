@@ -1,6 +1,5 @@
 #include "program/bench/benchmark.h"
 
-#include <fmt/format.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 #include <ompl/util/Time.h>
 
@@ -8,7 +7,6 @@
 #include <cctype>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include "clearway/planning/ompl_messages.h"
 #include "core/clock.h"
@@ -25,18 +23,6 @@ using planning::PlanSetup;
 /// One planner of each kind: two trees, one tree, by density, by projection, a roadmap.
 constexpr const char* kDefaultPlanners[] = {"RRTConnect", "RRT", "EST", "KPIECE1", "PRM"};
 constexpr double kMostMegabytes = 1e12;  ///< more than any machine has; in bytes the integer type holds it
-
-void requireOptions(const BenchmarkOptions& options) {
-    const auto require = [](bool isMet, const char* what, double value, const char* expected) {
-        if (isMet) return;
-        throw std::invalid_argument(
-            fmt::format("the {} is {}, expected {}", what, shortNumber(value), expected));
-    };
-    require(options.seconds > 0, "time limit", options.seconds, "seconds above 0");
-    require(options.iterations != 0u, "number of iterations", 0, "at least 1");
-    require(options.megabytes > 0, "memory limit", options.megabytes, "megabytes above 0");
-    require(options.runs >= 1, "number of runs", options.runs, "at least 1");
-}
 
 /// A name without white space, because the log's reader takes the last word of its line.
 std::string experimentName(const Problem& problem) {
@@ -182,7 +168,6 @@ bool Benchmark::isComplete() const {
 }
 
 Benchmark runBenchmark(const Problem& problem, const Scene& scene, const BenchmarkOptions& options) {
-    requireOptions(options);
     const planning::OmplMessages messages;
     Benchmark benchmark = begin(problem, options);
     const Clock::time_point start = Clock::now();

@@ -2,9 +2,10 @@
 // their surfaces, trees and rays serve all pictures.
 #pragma once
 
-#include <memory>
+#include <optional>
 
-#include "program/render/render.h"
+#include "program/render/arrangement.h"
+#include "program/render/plate.h"
 
 namespace clearway::render {
 
@@ -18,16 +19,23 @@ struct FilmCast {
 
 class Film {
   public:
-    /// Throws std::invalid_argument that names the wrong option.
+    /// Throws std::invalid_argument as render() does.
     Film(const Mesh& part, const Mesh& environment, FilmCast cast, RenderOptions options);
-    ~Film();
+    Film(const Film&) = delete;
+    Film& operator=(const Film&) = delete;
 
     /// The picture with the part at this pose. Without pixels if stopped.
     Image picture(const PosedPart& pose);
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    Image taken(const Body& body);
+
+    const FilmCast cast_;
+    const RenderOptions options_;
+    Arrangement arrangement_;
+    std::size_t mover_;
+    Stage alone_;                 ///< the mover without anything else
+    std::optional<Plate> plate_;  ///< without the mover; none when its rays would take too much memory
 };
 
 }  // namespace clearway::render

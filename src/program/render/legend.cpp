@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "core/number.h"
 #include "program/render/ink_mask.h"
@@ -99,21 +98,8 @@ void fillScale(const Layout& layout, Image& image) {
     }
 }
 
-struct NamedSign {
-    Sign sign;
-    const char* words;
-};
-
-constexpr NamedSign kSigns[] = {
-    {Sign::kStart, "start"},
-    {Sign::kGoal, "goal"},
-    {Sign::kBetween, "in between"},
-    {Sign::kMoving, "moving"},
-    {Sign::kWay, "way"},
-    {Sign::kContact, "in contact"},
-    {Sign::kOverlap, "overlap"},
-    {Sign::kMeeting, "contact or overlap"},
-};
+constexpr const char* kWords[] = {"start", "goal",       "in between", "moving",
+                                  "way",   "in contact", "overlap",    "contact or overlap"};  // as Sign
 
 /// Draws on the right part of the picture, from `left` on, in one colour.
 template <class Draw>
@@ -209,9 +195,7 @@ void drawSigns(const Layout& layout, const std::vector<Sign>& signs, Image& imag
 }  // namespace
 
 std::string wordsOf(Sign sign) {
-    const auto row = std::find_if(std::begin(kSigns), std::end(kSigns),
-                                  [&](const NamedSign& named) { return named.sign == sign; });
-    return row->words;
+    return kWords[static_cast<std::size_t>(sign)];
 }
 
 std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover) {

@@ -25,8 +25,8 @@ struct PosedPart {
 };
 
 struct RenderOptions {
-    int width = 1280, height = 720;
-    int samples = 16;  ///< rays for each pixel
+    int width = 1280, height = 720;  ///< at least 16
+    int samples = 16;                ///< rays for each pixel
 
     /// A name of namedViews, or "inside": a close view across the path, with the near half of the environment
     /// cut away.
@@ -53,11 +53,8 @@ struct RenderOptions {
 
 /// poses: the poses the part is shown at, at least one. way: the poses that a line is drawn through, at the
 /// middle of the part's box; empty: no line. Returns an image without pixels if stopped. Throws
-/// std::invalid_argument that names the wrong option.
+/// std::invalid_argument when there is no pose or no such view, or the camera stands at the point it looks at.
 Image render(const Mesh& part, const Mesh& environment, const std::vector<PosedPart>& poses,
              const std::vector<PosedPart>& way, const RenderOptions& options);
-
-/// Throws what render() throws for wrong options.
-void requireOptions(const RenderOptions& options);
 
 }  // namespace clearway::render

@@ -68,12 +68,6 @@ BOOST_AUTO_TEST_CASE(a_stopped_film_has_no_pictures) {
     BOOST_TEST(film.picture(motion.at(0)).pixels.empty());
 }
 
-BOOST_AUTO_TEST_CASE(a_film_without_poses_is_refused) {
-    Motion motion;
-    motion.cast.framed.clear();
-    BOOST_CHECK_THROW(motion.film(), std::invalid_argument);
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace clearway::testing

@@ -373,9 +373,6 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
     refuses("view is 'askew', expected one of inside, iso, front");
     shot = Shot();
     shot.poses = {{shot.upright(-60), 0}};
-    shot.options.width = 0;
-    refuses("width");
-    shot.options.width = kWidth;
     shot.options.eye = shot.options.lookAt = Vector3(1, 2, 3);
     refuses("stands at the point it looks at");
 }
