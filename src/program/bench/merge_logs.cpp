@@ -1,5 +1,4 @@
-#include "program/bench/merge_logs.h"
-
+// Joins the logs of a job array: of benchmarks that differ in their seeds alone.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -14,7 +14,6 @@
 #include "core/replace_file.h"
 #include "program/bench/benchmark.h"
 #include "program/bench/benchmark_log.h"
-#include "program/bench/merge_logs.h"
 #include "program/bench/run_text.h"
 #include "program/cli/bench_results.h"
 #include "program/cli/run_on_ranks.h"

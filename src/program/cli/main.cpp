@@ -37,9 +37,7 @@ constexpr Subcommand kSubcommands[] = {
 };
 
 std::string names() {
-    std::vector<std::string> all;
-    for (const Subcommand& subcommand : kSubcommands) all.push_back(subcommand.name);
-    return joined(all);
+    return joined(namesOf(kSubcommands));
 }
 
 constexpr const char* kUsage = "clearway SUBCOMMAND [arguments]";

@@ -11,8 +11,7 @@
 
 namespace clearway::cli {
 
-/// Make one when the arguments are read, before planning. The destructor renames the old file, unless isReplaced() or
-/// stays() was called.
+/// Make one when the arguments are read, before planning. The destructor renames the old file, unless stays() was called.
 class OldPath {
   public:
     explicit OldPath(std::string file) : file_(std::move(file)) {}
@@ -20,8 +19,7 @@ class OldPath {
     OldPath(const OldPath&) = delete;
     OldPath& operator=(const OldPath&) = delete;
 
-    void isReplaced() { file_.clear(); }
-    void stays() { file_.clear(); }  ///< after wrong usage
+    void stays() { file_.clear(); }  ///< once there is a new path, or after wrong usage
     /// Sets the file aside (setAside) and prints a row about it, or a warning when it cannot; once.
     void leave() {
         if (file_.empty()) return;

@@ -330,7 +330,7 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, ProblemScen
             isValid = report.audit.isValid();
         }
     }
-    if (!path.empty()) oldPath.isReplaced();
+    if (!path.empty()) oldPath.stays();
     if (!path.empty()) tellNearestUnwritten(given, "a path was found");
     const std::vector<FoundOverlap> overlaps =
         path.empty() ? std::vector<FoundOverlap>() : overlapsAlong(problem, scenes.meshes(), scene, path);

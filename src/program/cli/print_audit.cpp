@@ -1,8 +1,9 @@
 #include "program/cli/print_audit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -38,10 +39,8 @@ std::string validUpTo(const SegmentAudit& segment) {
 void printCells(const std::string& segment, const std::string& verdict, const std::string& length,
                 const std::string& rotation, const std::string& clearance, const std::string& time,
                 const std::string& between) {
-    char text[160];
-    std::snprintf(text, sizeof text, "%7s  %-14s %9s %8s %10s %7s", segment.c_str(), verdict.c_str(),
-                  length.c_str(), rotation.c_str(), clearance.c_str(), time.c_str());
-    std::cout << text << (between.empty() ? "" : "  ") << between << "\n";
+    std::cout << fmt::format("{:>7}  {:<14} {:>9} {:>8} {:>10} {:>7}{}{}\n", segment, verdict, length,
+                             rotation, clearance, time, between.empty() ? "" : "  ", between);
 }
 
 /// Where the part was within a contact zone; empty: nowhere.
@@ -212,11 +211,9 @@ void printProfile(const PathAudit& audit) {
     const std::vector<double> levels = levelsOf(columns);
     std::cout << "clearance along the path" << (usedUnit().empty() ? "" : ", " + usedUnit())
               << ": # certain, : found" << (audit.isValid() ? "" : ", x not valid, ? not certified") << "\n";
-    char label[32];
     for (int row = static_cast<int>(levels.size()) - 1; row >= 0; --row) {
         const double level = levels[static_cast<std::size_t>(row)] * (1 - 1e-12);
-        std::snprintf(label, sizeof label, "%9.3g |", level);
-        std::string line = label;
+        std::string line = fmt::format("{:9.3g} |", level);
         for (const Column& column : columns) {
             line += column.certain >= level ? '#' : column.found >= level ? ':' : ' ';
         }
@@ -224,8 +221,7 @@ void printProfile(const PathAudit& audit) {
     }
     std::string foot = "          +";
     for (const Column& column : columns) foot += footOf(column);
-    std::snprintf(label, sizeof label, "travelled %s", readable(audit.profile.back().travel).c_str());
-    const std::string end = inUnit(label);
+    const std::string end = inUnit("travelled " + readable(audit.profile.back().travel));
     std::cout << foot << "\n"
               << std::string(11, ' ') << "0" << std::string(kColumns - 1 - end.size(), ' ') << end << "\n";
 }

@@ -20,7 +20,7 @@ Json answerFacts(const Question& question, const Answer& answer, const Model& pa
     const DistanceResult& found = answer.distance;
     Json json = {
         {"distance", toJson(found.distance)}, {"lower", toJson(found.lower)}, {"upper", toJson(found.upper)}};
-    if (isBeyondCap(found)) return json;
+    if (!found.witness) return json;
     json["part"] = {{"mesh", nameAt(part, found.witness->partComponent)},
                     {"triangle", found.witness->partTriangle},
                     {"point", toJson(found.witness->pointOnPart)}};
@@ -39,7 +39,7 @@ std::string rowOf(const DistanceResult& result) {
 
 /// The names and closest points of an answer; empty cells beyond the cap.
 std::string pairCells(const DistanceResult& found, const Model& part, const Model& environment) {
-    if (isBeyondCap(found)) return ",,,,,,,";
+    if (!found.witness) return ",,,,,,,";
     return textCell(nameAt(part, found.witness->partComponent)) + "," +
            numberCells(found.witness->pointOnPart) + "," +
            textCell(nameAt(environment, found.witness->environmentComponent)) + "," +
@@ -48,16 +48,12 @@ std::string pairCells(const DistanceResult& found, const Model& part, const Mode
 
 }  // namespace
 
-bool isBeyondCap(const DistanceResult& result) {
-    return !result.witness;
-}
-
 DistanceStatistics statisticsOf(const std::vector<Answer>& answers) {
     DistanceStatistics all;
     const auto at = [&](std::size_t pose) { return answers[pose].distance.distance; };
     for (std::size_t pose = 0; pose < answers.size(); ++pose) {
         const DistanceResult& found = answers[pose].distance;
-        if (isBeyondCap(found)) {
+        if (!found.witness) {
             ++all.beyond;
             continue;
         }

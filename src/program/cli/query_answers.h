@@ -40,8 +40,6 @@ struct DistanceStatistics {
 
 DistanceStatistics statisticsOf(const std::vector<Answer>& answers);
 
-bool isBeyondCap(const DistanceResult& result);
-
 /// How many answers are yes, to a question of another kind than distance.
 std::size_t countYes(const QueryRun& run);
 
