@@ -8,10 +8,10 @@
 
 #include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
-#include "bench/random_motion.h"
 #include "core/clock.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "support/random_motion.h"
 
 namespace clearway::testing::fcl_continuous {
 namespace {

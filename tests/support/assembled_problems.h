@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clearway/mesh.h"
+#include "clearway/problem.h"
 
 namespace clearway::testing {
 
@@ -32,6 +33,9 @@ struct ScrewShape {
 };
 /// The screw's axis is tilted; shift: of the axis from the origin.
 AssembledProblem screwAndNut(const ScrewShape& shape, double shift);
+/// Poses of that screw, without a shift, as it is turned along its thread: `count` of them, the first one assembled, each a third of a turn
+/// from the one before.
+std::vector<PartState> alongThread(std::size_t count);
 
 /// Twelve parts on a base: two screws in nuts, one with a washer, a shaft with a key in its hub, a lid with lugs in its pot, and a clip that
 /// no rigid motion takes off its post. Some parts touch. 155 long.

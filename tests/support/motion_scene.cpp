@@ -5,6 +5,7 @@
 
 #include "demos/scenes/scenes.h"
 #include "planning/space/ompl_states.h"
+#include "support/assembled_problems.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -71,7 +72,7 @@ std::shared_ptr<const MotionScene> window(Space kind, double margin) {
 }  // namespace
 
 MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& thePart, const Mesh& theEnvironment,
-                         const Box& bounds, double margin, std::vector<PartState> thePath)
+                         const Box& bounds, double margin, std::vector<PartState> thePath, double theAway)
     : name(std::move(theName)),
       kind(theKind),
       partMesh(thePart),
@@ -79,6 +80,7 @@ MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& thePart
       oracle(partMesh, environmentMesh),
       scene{Model::build(partMesh), Model::build(environmentMesh), margin},
       path(std::move(thePath)),
+      away(theAway),
       space(planning::makeSpace(kind, bounds, 1)),
       si(std::make_shared<ob::SpaceInformation>(space)),
       checker(std::make_shared<planning::ValidityChecker>(si, scene)),
@@ -155,6 +157,14 @@ std::vector<std::shared_ptr<const MotionScene>> motionScenes() {
     scenes.push_back(generated(makeBoxes(kBoxes), 0.5));
     scenes.push_back(generated(makePuzzle(kPuzzle), 0));
     return scenes;
+}
+
+std::shared_ptr<const MotionScene> screwMotionScene() {
+    const AssembledProblem made = screwAndNut({12, 3.5, 3.5}, 0);
+    const std::vector<PartState> path = alongThread(4);
+    constexpr double kAway = 0.03;  // the thread leaves the screw 0.08 of play
+    return std::make_shared<const MotionScene>(made.name, Space::kSe3, made.part, made.environment,
+                                               around(path, 50), 0, path, kAway);
 }
 
 }  // namespace clearway::testing

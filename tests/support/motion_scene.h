@@ -18,7 +18,7 @@ namespace clearway::testing {
 
 struct MotionScene {
     MotionScene(std::string name, Space kind, const Mesh& thePart, const Mesh& theEnvironment,
-                const Box& bounds, double margin, std::vector<PartState> path);
+                const Box& bounds, double margin, std::vector<PartState> path, double away = 5);
 
     ompl::base::ScopedState<> state(const PartState& state) const;
     PartState stateOf(const ompl::base::State* state) const;
@@ -43,6 +43,7 @@ struct MotionScene {
     MeshOracle oracle;
     Scene scene;
     std::vector<PartState> path;
+    double away;  ///< so far off the path are states of random motions
     ompl::base::StateSpacePtr space;
     ompl::base::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;
@@ -52,5 +53,8 @@ struct MotionScene {
 
 /// The window in SE(3) and SE(2), the small tunnel-console, boxes and puzzle, with and without margins.
 std::vector<std::shared_ptr<const MotionScene>> motionScenes();
+
+/// A screw in its nut, whose path is along the thread.
+std::shared_ptr<const MotionScene> screwMotionScene();
 
 }  // namespace clearway::testing

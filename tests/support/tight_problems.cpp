@@ -21,9 +21,10 @@ Vector3 atAngle(double radius, double angle, double z) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
+const Eigen::AngleAxisd kTilt(0.7, Vector3(1, 2, 3).normalized());
+
 AssembledProblem tilted(const std::string& name, const Assembly& part, const Assembly& environment,
-                        const Vector3& shift = Vector3::Zero(), double angle = 0.7) {
-    const Eigen::AngleAxisd turn(angle, Vector3(1, 2, 3).normalized());
+                        const Vector3& shift = Vector3::Zero(), const Eigen::AngleAxisd& turn = kTilt) {
     const Pose X{turn.toRotationMatrix(), shift};
     return {name, transformed(part.mesh(), X), transformed(environment.mesh(), X)};
 }
@@ -309,7 +310,7 @@ AssembledProblem bayonet(const std::string& name, double end, double out, double
         socket.addNumbered("over",
                            sector(radii, {side + out + kSlot, side + out + 180 - kSlot}, {7 + 2 * kGap, 12}));
     }
-    return tilted(name, shaft, socket, Vector3::Zero(), tilt);
+    return tilted(name, shaft, socket, Vector3::Zero(), Eigen::AngleAxisd(tilt, kTilt.axis()));
 }
 
 /// An arc in a curved channel.
@@ -387,6 +388,17 @@ AssembledProblem screwAndNut(const ScrewShape& shape, double shift) {
         around.add("nut", nut(top - kPitch * (held + 3), held, shape));
     }
     return tilted(shape.isShutIn ? "captive" : "screw", screw, around, {shift, 0.3 * shift, -0.2 * shift});
+}
+
+std::vector<PartState> alongThread(std::size_t count) {
+    const Vector3 axis = kTilt * Vector3::UnitZ();
+    std::vector<PartState> path(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const double turns = double(k) / 3;
+        path[k].position = turns * kPitch * axis;
+        path[k].rotation = Eigen::AngleAxisd(2 * M_PI * turns, axis);
+    }
+    return path;
 }
 
 Mesh pumpAssembly() {

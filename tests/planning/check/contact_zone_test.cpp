@@ -2,6 +2,7 @@
 // judged, compared with the oracle.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -130,6 +131,70 @@ BOOST_AUTO_TEST_CASE(an_obstacle_is_ignored_while_no_vertex_is_further_from_the_
     BOOST_TEST(valid > inForm(200, 65));
     BOOST_TEST(space.isValid(assembly.start.translation));
     BOOST_TEST(space.checker->isValid(space.at(stateOf(assembly.goal)).get()));
+}
+
+void checkMotion(const Assembly& assembly, const PartInSpace& space, const ob::ScopedState<>& s1,
+                 const ob::ScopedState<>& s2, int& valid, int& crossing) {
+    ob::ScopedState<> between(space.space);
+    const auto clearanceAt = [&](double time, bool inBand) {
+        space.space->interpolate(s1.get(), s2.get(), time, between.get());
+        return assembly.clearance(space.checker->pose(time < 1 ? between.get() : s2.get()), inBand);
+    };
+    const bool isValid = space.validator->checkMotion(s1.get(), s2.get());
+    std::pair<ob::State*, double> lastValid(nullptr, 1);
+    const bool forward = space.validator->checkMotion(s1.get(), s2.get(), lastValid);
+    const MotionReport report = space.validator->report(s1.get(), s2.get());
+    const bool isReported = report.verdict == MotionVerdict::kValid;
+    BOOST_TEST(!report.whyInvalid.isUnusable());
+    double least = std::numeric_limits<double>::infinity();
+    const double until = isValid || isReported ? 1 : lastValid.second;
+    bool wasIn = false, wasOut = false;
+    for (int i = 0; i <= 60; ++i) {
+        const double clearance = clearanceAt(until * i / 60, false);
+        least = std::min(least, clearance);
+        const Pose X = space.checker->pose(between.get());
+        const bool isIn = Assembly::displacement(assembly.part, assembly.start, X) <= kStartLength;
+        (isIn ? wasIn : wasOut) = true;
+    }
+    BOOST_TEST(((least > 0) || !(isValid || forward || isReported || lastValid.second > 0)));
+    if (isReported) {
+        BOOST_TEST(report.lowerClearance <= least * (1 + 1e-9));
+        BOOST_TEST(report.upperClearance >= report.lowerClearance);
+        if (std::isfinite(report.upperClearance)) {
+            const double size = 2 * std::sqrt(30 * 30 + 20 * 20 + 5 * 5);
+            BOOST_TEST(report.upperClearance - report.lowerClearance <=
+                       std::max(0.1 * report.upperClearance, 1e-3 * size));
+        }
+        BOOST_TEST(
+            (report.startContact.has_value() || !wasIn || assembly.clearance(assembly.start, false) < 0));
+    }
+    if (report.verdict == MotionVerdict::kInvalid && space.si->satisfiesBounds(s2.get())) {
+        BOOST_TEST(clearanceAt(report.closestTime, true) <= 0);
+    }
+    valid += isValid;
+    crossing += isValid && wasIn && wasOut;
+}
+
+BOOST_AUTO_TEST_CASE(no_motion_called_valid_is_too_close_by_the_oracle_to_what_counts_there) {
+    const Assembly assembly;
+    const PartInSpace space(assembly.scene);
+    int valid = 0, crossing = 0, tried = 0;
+    for (int seed = 1; seed <= inForm(150, 75); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const auto s1 =
+            seed % 3 == 0 ? space.at(stateOf(assembly.start)) : space.at(randomState(assembly, random));
+        const auto s2 = space.at(randomState(assembly, random));
+        if (!space.checker->isValid(s1.get())) continue;
+        ++tried;
+        BOOST_TEST_CONTEXT("seed " << seed) {
+            checkMotion(assembly, space, s1, s2, valid, crossing);
+        }
+    }
+    BOOST_TEST_MESSAGE(tried << " motions, " << valid << " valid, " << crossing
+                             << " of these across the border");
+    BOOST_TEST(valid > inForm(25, 12));
+    BOOST_TEST(crossing > inForm(8, 4));
+    BOOST_TEST(valid < tried - inForm(15, 7));
 }
 
 BOOST_AUTO_TEST_CASE(a_part_is_lifted_off_its_tray_and_not_slid_along_it) {
