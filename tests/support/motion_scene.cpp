@@ -72,7 +72,7 @@ std::shared_ptr<const MotionScene> window(Space kind, double margin) {
 }  // namespace
 
 MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& thePart, const Mesh& theEnvironment,
-                         const Box& bounds, double margin, std::vector<PartState> thePath, double theAway)
+                         const Box& bounds, double margin, std::vector<PartState> thePath, double theSpread)
     : name(std::move(theName)),
       kind(theKind),
       partMesh(thePart),
@@ -80,7 +80,7 @@ MotionScene::MotionScene(std::string theName, Space theKind, const Mesh& thePart
       oracle(partMesh, environmentMesh),
       scene{Model::build(partMesh), Model::build(environmentMesh), margin},
       path(std::move(thePath)),
-      away(theAway),
+      spread(theSpread),
       space(planning::makeSpace(kind, bounds, 1)),
       si(std::make_shared<ob::SpaceInformation>(space)),
       checker(std::make_shared<planning::ValidityChecker>(si, scene)),
@@ -162,9 +162,9 @@ std::vector<std::shared_ptr<const MotionScene>> motionScenes() {
 std::shared_ptr<const MotionScene> screwMotionScene() {
     const AssembledProblem made = screwAndNut({12, 3.5, 3.5}, 0);
     const std::vector<PartState> path = alongThread(4);
-    constexpr double kAway = 0.03;  // the thread leaves the screw 0.08 of play
+    constexpr double kSpread = 0.03;  // the thread leaves the screw 0.08 of play
     return std::make_shared<const MotionScene>(made.name, Space::kSe3, made.part, made.environment,
-                                               around(path, 50), 0, path, kAway);
+                                               around(path, 50), 0, path, kSpread);
 }
 
 }  // namespace clearway::testing

@@ -18,7 +18,7 @@ namespace clearway::testing {
 
 struct MotionScene {
     MotionScene(std::string name, Space kind, const Mesh& thePart, const Mesh& theEnvironment,
-                const Box& bounds, double margin, std::vector<PartState> path, double away = 5);
+                const Box& bounds, double margin, std::vector<PartState> path, double spread = 5);
 
     ompl::base::ScopedState<> state(const PartState& state) const;
     PartState stateOf(const ompl::base::State* state) const;
@@ -43,7 +43,7 @@ struct MotionScene {
     MeshOracle oracle;
     Scene scene;
     std::vector<PartState> path;
-    double away;  ///< so far off the path are states of random motions
+    double spread;  ///< so far off the path are states of random motions
     ompl::base::StateSpacePtr space;
     ompl::base::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;

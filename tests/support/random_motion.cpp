@@ -27,11 +27,11 @@ void unsettleNorm(Random& random, ob::ScopedState<>& state) {
 }  // namespace
 
 RandomMotion::RandomMotion(const MotionScene& scene, Random& random)
-    : s1(scene.state(scene.nearPath(random, scene.away, 0.01 * scene.away))), s2(s1) {
+    : s1(scene.state(scene.nearPath(random, scene.spread, 0.01 * scene.spread))), s2(s1) {
     const int kind = random.below(4);
     if (kind >= 2) closeIn(scene, random, s1);
     if (kind == 0) {
-        s2 = scene.state(scene.nearPath(random, 4 * scene.away, 0.1 * scene.away));
+        s2 = scene.state(scene.nearPath(random, 4 * scene.spread, 0.1 * scene.spread));
         return;
     }
     PartState from = scene.stateOf(s1.get());
