@@ -188,16 +188,6 @@ std::string namesWithoutArea(const Mesh& mesh) {
     return joined(names) + (more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-[[noreturn]] void refuseIndex(const Mesh& mesh, std::size_t triangle, std::uint32_t vertex) {
-    throw ArgumentError(fmt::format("{} refers to vertex {}, expected one below {}",
-                                    nameOfTriangle(mesh, triangle), vertex, mesh.vertices.size()));
-}
-
-[[noreturn]] void refuseVertex(const Mesh& mesh, std::size_t triangle, const Vector3& vertex) {
-    throw ArgumentError(fmt::format("{} has a vertex at ({:g}, {:g}, {:g}), expected finite coordinates",
-                                    nameOfTriangle(mesh, triangle), vertex.x(), vertex.y(), vertex.z()));
-}
-
 }  // namespace
 
 std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle) {
@@ -215,8 +205,15 @@ void requireSoundMesh(const Mesh& mesh) {
     requireComponents(mesh);
     for (std::size_t id = 0; id < mesh.triangles.size(); ++id) {
         for (const std::uint32_t vertex : mesh.triangles[id]) {
-            if (vertex >= mesh.vertices.size()) refuseIndex(mesh, id, vertex);
-            if (!mesh.vertices[vertex].allFinite()) refuseVertex(mesh, id, mesh.vertices[vertex]);
+            if (vertex >= mesh.vertices.size()) {
+                throw ArgumentError(fmt::format("{} refers to vertex {}, expected one below {}",
+                                                nameOfTriangle(mesh, id), vertex, mesh.vertices.size()));
+            }
+            const Vector3& at = mesh.vertices[vertex];
+            if (at.allFinite()) continue;
+            throw ArgumentError(
+                fmt::format("{} has a vertex at ({:g}, {:g}, {:g}), expected finite coordinates",
+                            nameOfTriangle(mesh, id), at.x(), at.y(), at.z()));
         }
     }
 }
