@@ -2,9 +2,7 @@
 #include "clearway/shrink.h"
 
 #include <boost/test/unit_test.hpp>
-#include <functional>
 #include <map>
-#include <stdexcept>
 
 #include "mesh/components.h"
 #include "model/solids.h"
@@ -13,6 +11,7 @@
 #include "support/oracle.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
+#include "support/words.h"
 
 namespace clearway::testing {
 
@@ -130,12 +129,7 @@ Mesh knife(double degrees) {
 }
 
 std::string refusal(const Mesh& part, double overlap) {
-    try {
-        shrink(part, {overlap});
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return refusalBy([&] { shrink(part, {overlap}); });
 }
 
 BOOST_AUTO_TEST_CASE(a_box_shrinks_to_a_box) {
