@@ -6,6 +6,7 @@
 #include "clearway/mesh.h"
 #include "mesh/mesh_files.h"
 #include "mesh/topology.h"
+#include "support/convex_hull.h"
 
 namespace clearway {
 
@@ -21,7 +22,7 @@ BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
     BOOST_TEST(mesh.components[0].name == "keep out");
     BOOST_TEST(mesh.components[0].triangleCount == mesh.triangles.size());
 
-    BOOST_TEST(testing::volumeOf(mesh) == 4 * 0.5 * 6.5, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(testing::signedVolume(mesh) == 4 * 0.5 * 6.5, boost::test_tools::tolerance(1e-14));
     BOOST_TEST(testing::areaOf(mesh) == 2 * (4 * 0.5 + 4 * 6.5 + 0.5 * 6.5),
                boost::test_tools::tolerance(1e-14));
 }

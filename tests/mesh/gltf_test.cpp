@@ -5,6 +5,7 @@
 
 #include "clearway/mesh.h"
 #include "mesh/mesh_files.h"
+#include "support/convex_hull.h"
 #include "support/temporary_folder.h"
 
 namespace clearway {
@@ -198,7 +199,7 @@ BOOST_AUTO_TEST_CASE(nodes_place_their_meshes_and_keep_fronts_outside) {
     BOOST_TEST(mesh.components[0].name == "a");
     BOOST_TEST(mesh.components[1].name == "b");
     requireBox(mesh, {-4, 0, 0}, {2, 2, 12});
-    BOOST_TEST(std::fabs(volumeOf(mesh) - 2 * 8. / 6) < 1e-12);
+    BOOST_TEST(std::fabs(signedVolume(mesh) - 2 * 8. / 6) < 1e-12);
     BOOST_TEST(mesh.origin.notes.size() == 2u);  // another scene, and a node that is not in this one
 }
 

@@ -66,14 +66,6 @@ inline double areaOf(const Mesh& mesh) {
     return area;
 }
 
-/// The signed volume of a closed mesh: above 0 if its fronts are outside.
-inline double volumeOf(const Mesh& mesh) {
-    double volume = 0;
-    for (const TriangleIndices& t : mesh.triangles)
-        volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
-    return volume;
-}
-
 inline std::vector<std::string> namesOf(const Mesh& mesh) {
     std::vector<std::string> names;
     for (const Component& component : mesh.components) names.push_back(component.name);
