@@ -55,6 +55,10 @@ void requireFiniteNumbers(const std::string& file, bool isIges) {
     constexpr const char* kDigits = "0123456789";
     bool isInQuotes = false;
     for (std::size_t i = 1; i < text.size(); ++i) {
+        if (!isIges && !isInQuotes && text.compare(i, 2, "/*") == 0) {
+            i = std::min(text.find("*/", i + 2), text.size());  // apostrophes of a comment open no name
+            continue;
+        }
         if (text[i] == '\'' && !isIges) isInQuotes = !isInQuotes;
         if (isInQuotes || std::string_view("EeDd").find(text[i]) == std::string_view::npos) continue;
         const std::size_t begin = text.find_last_not_of(std::string(kDigits) + ".", i - 1) + 1,

@@ -152,7 +152,7 @@ class DeepestSearch {
     }
 
     void lookAt(const Corners3& corners, std::uint32_t triangle, std::uint32_t near) {
-        if (isNear(near, corners)) return;
+        if (best_.obstacleTriangle >= 0 && isNear(near, corners)) return;
         const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
         double radius = 0;
         for (const Vector3& corner : corners) radius = std::max(radius, (corner - middle).norm());

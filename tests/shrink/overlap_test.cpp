@@ -42,6 +42,18 @@ BOOST_AUTO_TEST_CASE(what_is_outside_or_only_touches_has_no_depth_of_interest) {
     BOOST_TEST(touching.upper < 0.002);
 }
 
+/// All that reaches into the part is near one triangle of its surface, and no deeper than what is of interest.
+BOOST_AUTO_TEST_CASE(what_is_hardly_deep_below_one_triangle_has_its_place) {
+    const OverlapMeter meter(box({50, 50, 50}));
+    const Mesh lid = translated(box({5, 5, 5}), {20, 5, 54.99});
+    const DeepestPoint found = meter.deepest(lid, {});
+    BOOST_TEST(found.obstacleTriangle >= 0);
+    BOOST_TEST(found.lower > 0);
+    BOOST_TEST(found.upper >= 0.01 * (1 - 1e-9));
+    BOOST_TEST(found.point.z() < 50);
+    BOOST_TEST(found.point.z() > 49.98);
+}
+
 /// A random point of one of the mesh's triangles, corners and edges included.
 Vector3 pointOn(const Mesh& mesh, Random& random) {
     const auto& t = mesh.triangles[std::size_t(random.below(int(mesh.triangles.size())))];

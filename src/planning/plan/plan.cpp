@@ -36,6 +36,10 @@ constexpr double kBoundsSlack = 1e-9;
 /// with hardly any clearance shortening could go on without end.
 constexpr double kLeastFinishing = 5;
 
+/// Shortening ends with an audit and a check of the clearance, which do not look at the time. A widened path has more states: both take as
+/// long as so many audits of the path that planners found.
+constexpr double kAuditsAtEnd = 6;
+
 /// Seconds that widening gets: as many as planning took, within these, and within half of the time left. It gets up to
 /// kGrowing times as many, within kMostWideningSeconds, while the clearance still grows fast,
 /// and a quarter more before a second way was widened.
@@ -72,6 +76,13 @@ class Budget {
         if (!planningSeconds_ || !isOver(planningSeconds_) || isDue()) return false;
         planningSeconds_ = limit_;
         return true;
+    }
+
+    bool isTimed() const { return seconds_.has_value(); }
+
+    /// Leaves so many seconds at the end for work that does not look at the time.
+    void reserve(double seconds) {
+        if (seconds_) *seconds_ -= seconds;
     }
 
     void beginWidening() {
@@ -183,13 +194,27 @@ void take(const PlanSetup& setup, const Problem& problem, const og::PathGeometri
     report.outcome = PlanReport::Outcome::kFound;
 }
 
+/// Leaves time for the audits of the path in the end. Returns false when there is no time for one.
+bool reserveForAudits(const PlanSetup& setup, const og::PathGeometric& path, Budget& budget) {
+    if (!budget.isTimed()) return true;
+    const Clock::time_point begin = Clock::now();
+    try {
+        audit(path, *setup.auditor, {false, [&] { return budget.isOutOfTime(); }});
+    } catch (const AuditStopped&) {
+        return false;
+    }
+    budget.reserve(kAuditsAtEnd * secondsSince(begin));
+    return true;
+}
+
 void describeSolution(const PlanSetup& setup, const Problem& problem, const PlanOptions& options,
                       Budget& budget, PlanReport& report) {
     const ob::PlannerSolution solution = solutionOf(setup);
     report.foundBy = solution.plannerName_;
     og::PathGeometric path = pathOf(setup, solution);
     report.statesBefore = path.getStateCount();
-    const bool isWideningWanted = wantsWidening(options, report) && path.getStateCount() > 1;
+    const bool isWideningWanted =
+        wantsWidening(options, report) && path.getStateCount() > 1 && reserveForAudits(setup, path, budget);
     if (isWideningWanted) tellPhase(PlanPhase::kWidening, options);
     const double kept = isWideningWanted ? widen(setup, budget, path, report) : 0;
     tellPhase(PlanPhase::kFinishing, options);
@@ -276,10 +301,13 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     const Clock::time_point begin = Clock::now();
     budget.beginPlanning(!report.objective.empty(), *setup.certified);
     std::optional<Watch> watch;
+    std::atomic<double> planningSeconds{0};  // 0 while planners are at work
     if (options.onOverrun) {
         const auto tell = [&, begun = report](const Watch::IsEnded& isEnded) {
             PlanReport soFar = begun;
-            soFar.planningSeconds = secondsSince(begin);
+            const double seconds = secondsSince(begin), planned = planningSeconds;
+            soFar.planningSeconds = planned > 0 ? planned : seconds;
+            if (planned > 0) soFar.finishingSeconds = seconds - planned;
             if (!takeBest(setup, problem, isEnded, soFar)) return;
             conclude(setup, budget, messages, soFar);
             options.onOverrun(soFar);
@@ -292,7 +320,7 @@ PlanReport plan(const Problem& problem, const Scene& scene, const PlanOptions& o
     solve();
     // Without a path there is nothing to shorten.
     if (!setup.definition->hasExactSolution() && budget.allowAll()) solve();
-    report.planningSeconds = secondsSince(begin);
+    planningSeconds = report.planningSeconds = secondsSince(begin);
 
     const Clock::time_point planned = Clock::now();
     const bool isFound = setup.definition->hasExactSolution() ||

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -112,7 +113,8 @@ void findEscape(const AssembledPart& a, const AssembledPart& b, PartPair& pair) 
     }
 }
 
-/// The length of the shortest move that parts two triangles which meet. It is across one of the triangles, or across an edge of each.
+/// The length of the shortest move that parts two triangles which meet. It is across one of the triangles, or across an edge of each. 0 for
+/// triangles that are points or lie on one line.
 double crossingOf(const TriangleCorners& a, const TriangleCorners& b) {
     double least = std::numeric_limits<double>::infinity();
     const auto lookAlong = [&](const Vector3& axis) {
@@ -127,7 +129,7 @@ double crossingOf(const TriangleCorners& a, const TriangleCorners& b) {
     };
     for (const TriangleCorners& corners : {a, b}) lookAlong(edge(corners, 0).cross(edge(corners, 1)));
     for (int i = 0; i < 9; ++i) lookAlong(edge(a, i / 3).cross(edge(b, i % 3)));
-    return least;
+    return std::isfinite(least) ? least : 0;
 }
 
 /// Makes the pair a contact, or an overlap where triangles cross by more than `shallow`: thin sheets may cut through each other without
@@ -151,7 +153,6 @@ void describeTouching(const AssembledPart& a, const AssembledPart& b, double sha
     if (!where.isEmpty()) pair.at = where.center();
     if (mostCrossing == shallow) return;
     pair.kind = PartPair::Kind::kOverlap;
-    pair.touchingTriangles = 0;
     pair.at = crossingAt;
 }
 
@@ -186,22 +187,25 @@ std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, 
     return pair;
 }
 
+std::string mostDepth(const PartPair& pair) {
+    return pair.depth ? ", at most " + shownLength(pair.depth->upper) + " deep"
+                      : "; both are open, so no depth is known";
+}
+
 std::string pairRow(const PartPair& pair) {
     const std::string names = fmt::format("'{}' and '{}'", pair.a, pair.b), at = " at " + shownPlace(pair.at);
     switch (pair.kind) {
         case PartPair::Kind::kOverlap:
             return fmt::format("{}, {}{}; pushed through '{}', '{}' is out of it {} along {}", names,
-                               pair.doCoincide ? "surfaces coincide around a shared volume"
-                               : pair.depth    ? shownLength(pair.depth->upper) + " deep"
-                                               : "surfaces cross; both are open, so no depth is known",
+                               pair.doCoincide              ? "surfaces coincide around a shared volume"
+                               : pair.touchingTriangles > 0 ? "surfaces cross" + mostDepth(pair)
+                                                            : shownLength(pair.depth->upper) + " deep",
                                at, pair.a, pair.b, shownLength(pair.escape->upper), pair.escapeDirection);
         case PartPair::Kind::kContact:
             return fmt::format(
                 "{}, {} around {}{}", names,
                 counted(pair.touchingTriangles, "touching pair of triangles", "touching pairs of triangles"),
-                shownPlace(pair.at),
-                pair.depth ? ", at most " + shownLength(pair.depth->upper) + " deep"
-                           : "; both are open, so no depth is known");
+                shownPlace(pair.at), mostDepth(pair));
         case PartPair::Kind::kGap:
             break;
     }
@@ -263,7 +267,7 @@ std::vector<PartPair> pairsOf(const Mesh& assembly, double near) {
         }
     }
     const auto order = [](const PartPair& pair) {
-        return std::tuple(pair.kind, pair.depth ? -pair.depth->upper : 0.0, pair.lower);
+        return std::tuple(pair.kind, pair.depth ? -pair.depth->lower : 0.0, pair.lower);
     };
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const PartPair& a, const PartPair& b) { return order(a) < order(b); });

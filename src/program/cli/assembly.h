@@ -14,10 +14,12 @@ namespace clearway::cli {
 struct PartPair {
     enum class Kind { kOverlap, kContact, kGap };
     Kind kind = Kind::kGap;
-    std::string a, b;              ///< names of the components
-    double lower = 0, upper = 0;   ///< bounds of the gap; 0 unless kGap
-    Vector3 at = Vector3::Zero();  ///< the deepest point, the middle of the contact, or the middle of the gap
-    std::size_t touchingTriangles = 0;  ///< pairs of triangles in contact; kContact alone
+    std::string a, b;             ///< names of the components
+    double lower = 0, upper = 0;  ///< bounds of the gap; 0 unless kGap
+    Vector3 at = Vector3::
+        Zero();  ///< the deepest or crossing point, the middle of the contact, or the middle of the gap
+    std::size_t touchingTriangles =
+        0;  ///< pairs of triangles in contact; kContact, and kOverlap where surfaces cross without lying deep
     bool doCoincide =
         false;  ///< kOverlap alone: they share a volume around `at`, although no surface of one lies deep in the other
     std::optional<DeepestPoint> depth;  ///< unknown without a closed part

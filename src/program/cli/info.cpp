@@ -233,7 +233,11 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
     std::cout << "\nPairs of parts\n";
     tellDeflection(deflectionOf(assembly));
     printRows(deflectionRows());
-    if (componentsOf(assembly).size() < 2) return printRow("parts", "one alone: there is nothing to compare");
+    if (componentsOf(assembly).size() < 2) {
+        if (!csv.empty() || !picture.empty())
+            throw std::invalid_argument("--csv and --picture are of several parts, and there is one alone");
+        return printRow("parts", "one alone: there is nothing to compare");
+    }
     const auto begin = Clock::now();
     std::optional<ElapsedLine> elapsed("comparing parts");
     const std::vector<PartPair> pairs = pairsOf(assembly, widest);

@@ -345,7 +345,8 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, ProblemScen
 }
 
 std::string overrunOf(const PlanReport& report) {
-    return report.planners.at(0) + " did not end in time, and is ended with the program" +
+    const std::string late = report.finishingSeconds > 0 ? "improving the path" : report.planners.at(0);
+    return late + " did not end in time, and is ended with the program" +
            (report.path.empty() ? "" : "; the path is neither widened nor shortened");
 }
 

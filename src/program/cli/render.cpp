@@ -25,8 +25,10 @@ namespace clearway::cli {
 namespace {
 
 constexpr std::size_t kMostPoses = 200;
-constexpr int kLeastSide = 16, kLargestSide = 16384;  ///< of a picture, pixels
-constexpr double kWidestAngle = 170;                  ///< degrees
+constexpr int kLeastSide = 16, kLargestSide = 16384;          ///< of a picture, pixels
+constexpr double kNarrowestAngle = 1e-3, kWidestAngle = 170;  ///< degrees
+constexpr double kFarthestPlace =
+    1e15;  ///< of the camera, in coordinates: rays are in float, which squares them
 
 struct RenderArguments {
     ProblemChoice problem;
@@ -63,10 +65,12 @@ std::string viewList() {
 }
 
 Vector3 pointOf(const std::string& text) {
-    const Expected expected{"three numbers X,Y,Z"};
+    const Expected expected{"three numbers X,Y,Z of at most " + readable(kFarthestPlace)};
     const std::vector<double> numbers = numbersOf(text, expected.what);
     if (numbers.size() != 3) throw expected;
-    return {numbers[0], numbers[1], numbers[2]};
+    const Vector3 point(numbers[0], numbers[1], numbers[2]);
+    if (!(point.cwiseAbs().maxCoeff() <= kFarthestPlace)) throw expected;
+    return point;
 }
 
 void readSize(const std::string& text, render::RenderOptions& drawing) {
@@ -112,8 +116,9 @@ void addCamera(CommandLine& line, render::RenderOptions& drawing) {
     line.option("--angle DEG", "angle of view along the picture's longer side (30)",
                 [&](const std::string& text) {
                     drawing.angle = positiveNumber(text);
-                    if (drawing.angle >= kWidestAngle)
-                        throw Expected{"degrees below " + readable(kWidestAngle)};
+                    if (drawing.angle < kNarrowestAngle || drawing.angle >= kWidestAngle)
+                        throw Expected{"degrees from " + readable(kNarrowestAngle) + ", below " +
+                                       readable(kWidestAngle)};
                 });
     line.option("--cut PLANE",
                 "removes the environment on the camera's side of a plane: x=D, y=D, z=D, or A,B,C,D for "

@@ -47,6 +47,10 @@ Fact obstacleFact(const std::vector<Component>& components, std::size_t triangle
     json["solid"] = group.solids != nullptr;
     json["ignored_near_start"] = group.isIgnoredAtStart;
     json["ignored_near_goal"] = group.isIgnoredAtGoal;
+    std::vector<std::string> names;  // of parts that stand there: those that move have no triangles here
+    for (const Component& component : components) {
+        if (component.triangleCount > 0) names.push_back(component.name);
+    }
     const bool atStart = group.isIgnoredAtStart, atGoal = group.isIgnoredAtGoal;
     const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
                               : atStart         ? ", ignored near the start"
@@ -55,10 +59,10 @@ Fact obstacleFact(const std::vector<Component>& components, std::size_t triangle
     const std::string rule = overlap > 0
                                  ? "overlap " + statedLength(overlap)
                                  : "margin " + statedLength(group.margin) + (group.solids ? ", solid" : "");
-    return {"obstacle",
-            fmt::format("{}: {}, {}{}", listed(namesOf(components), kMostNames),
-                        counted(triangles, "triangle"), rule, where),
-            "", std::move(json)};
+    return {
+        "obstacle",
+        fmt::format("{}: {}, {}{}", listed(names, kMostNames), counted(triangles, "triangle"), rule, where),
+        "", std::move(json)};
 }
 
 }  // namespace

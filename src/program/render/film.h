@@ -19,7 +19,7 @@ struct FilmCast {
 
 class Film {
   public:
-    /// Throws std::invalid_argument as render() does.
+    /// Throws std::invalid_argument when there is no such view, or the camera stands at the point it looks at.
     Film(const Mesh& part, const Mesh& environment, FilmCast cast, RenderOptions options);
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;

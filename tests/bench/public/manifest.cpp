@@ -181,7 +181,7 @@ Manifest readManifest(const std::string& file) {
 std::vector<Manifest> readManifests() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(CLEARWAY_DATA_DIR "/problems"))
-        files.push_back(entry.path());
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::vector<Manifest> manifests;
     for (const fs::path& file : files) manifests.push_back(readManifest(file.string()));

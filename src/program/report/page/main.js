@@ -22,7 +22,9 @@ const pointer = view && new Pointer(view, list);
 element('slider').max = frames.length - 1;
 
 function choose(i) {
-  state.frame = Math.min(frames.length - 1, Math.max(0, Math.round(i)));
+  const frameIndex = Math.min(frames.length - 1, Math.max(0, Math.round(i)));
+  if (frameIndex !== state.frame) cutGap(false);  // the plane is that of the place that was shown
+  state.frame = frameIndex;
   element('slider').value = state.frame;
   const frame = frames[state.frame];
   if (view) view.show(frame);
@@ -71,14 +73,21 @@ function cutGap(isCut) {
   const axis = element('cut-axis');
   if (isCut === (axis.value === 'gap')) return;
   axis.value = isCut ? 'gap' : '';
-  setOpacity(kFirstOpacity);
   cut();
 }
+
+let opacityBefore = null;  // of the surroundings, which are whole while the gap is cut
 
 function cut() {
   const axis = element('cut-axis').value, isGap = axis === 'gap';
   element('cut-place').disabled = element('cut-flip').disabled = !axis || isGap;
-  if (isGap) setOpacity(100);
+  if (isGap && opacityBefore === null) {
+    opacityBefore = element('opacity').value;
+    setOpacity(100);
+  } else if (!isGap && opacityBefore !== null) {
+    setOpacity(opacityBefore);
+    opacityBefore = null;
+  }
   view?.cut(axis, element('cut-place').value / 1000, element('cut-flip').checked);
 }
 
