@@ -57,7 +57,7 @@ class AssembledPart {
     bool holds(AssembledPart& other) {
         return isClosed() && solids().holding({}, other.solids(), {}).has_value();
     }
-    /// Of a closed part.
+    /// The part must be closed.
     const OverlapMeter& meter() {
         if (!meter_) meter_.emplace(mesh, model, solids_);
         return *meter_;
