@@ -41,8 +41,8 @@ std::ostream& operator<<(std::ostream& out, const Family& family) {
 
 /// The form with CLEARWAY_FULL=1 alone tries largeCounts and furtherScenes.
 std::vector<Family> families() {
-    const std::vector<Counts> puzzles{{800, 800},   {1000, 1000},   {2000, 2000},
-                                      {2777, 2777}, {10000, 10000}, {200000, 200000}};
+    const std::vector<Counts> puzzles{{800, 800}, {1000, 1000}, {2000, 2000}, {2777, 2777}, {10000, 10000}};
+    const std::vector<Counts> largePuzzles{{200000, 200000}};
     const std::vector<SceneOptions> puzzleScenes{
         kPuzzle, {3, 2000, 2000, 0.5}, {4, 2000, 2000, 10}, {9, 900, 900, 4}};
     const std::vector<SceneOptions> furtherPuzzles{{2, 2000, 2000, 2},     {5, 2000, 2000, 5},
@@ -84,8 +84,8 @@ std::vector<Family> families() {
              0.3,
              20,
              true},
-            {"puzzle-1", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
-            {"puzzle-2", puzzles, {}, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
+            {"puzzle-1", puzzles, largePuzzles, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
+            {"puzzle-2", puzzles, largePuzzles, puzzleScenes, furtherPuzzles, 10, 0.5, 2},
             {"boxes-1",
              {{12, 24}, {100, 700}, {101, 703}, {3000, 50000}},
              {{400000, 1000000}},

@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(turns_of_any_length_find_the_same_path_and_a_cleared_planne
     std::vector<std::vector<std::vector<double>>> paths;
     for (const int turn : {100000, 7}) {
         ompl::RNG::setSeed(5);
-        const OmplTask task(tightProblem("bayonet"));
+        const OmplTask task(tightProblem("hook"));
         task.definition->addStartState(task.at(Vector3::Zero()));
         const auto planner = task.planner<TwistSearch>();
         ob::PlannerStatus status;
