@@ -18,6 +18,13 @@ namespace clearway::planning {
 /// The base of samplers that move the part along the witness normal of its nearest obstacle. Like OMPL's
 /// samplers, one must not be shared by threads.
 class WitnessSampler : public ompl::base::ValidStateSampler {
+  public:
+    /// Draws a state from the whole space. Returns false when no attempt succeeded: planners try again.
+    bool sample(ompl::base::State* state) override;
+
+    /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.
+    bool sampleNear(ompl::base::State* state, const ompl::base::State* near, double distance) override;
+
   protected:
     /// Throws ArgumentError when si's validity checker is none of clearway's or its space is neither
     /// SE(3) nor SE(2), by name.
@@ -31,6 +38,9 @@ class WitnessSampler : public ompl::base::ValidStateSampler {
         Vector3 away =
             Vector3::Zero();  ///< unit vector away from the nearest obstacle; 0 without an obstacle
     };
+
+    /// Turns a drawn state into one that the sampler is for. Returns false where it finds none.
+    virtual bool settle(ompl::base::State* state) = 0;
 
     /// Asks the checker about a state.
     StateClearance clearanceAt(const ompl::base::State* state) const;
@@ -58,14 +68,8 @@ class ContactNormalSampler : public WitnessSampler {
     explicit ContactNormalSampler(const ompl::base::SpaceInformation* si);
     ~ContactNormalSampler() override;
 
-    /// Draws a state from the whole space. Returns false when no attempt succeeded.
-    bool sample(ompl::base::State* state) override;
-
-    /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.
-    bool sampleNear(ompl::base::State* state, const ompl::base::State* near, double distance) override;
-
   private:
-    bool settle(ompl::base::State* state);
+    bool settle(ompl::base::State* state) override;
     bool pushAway(ompl::base::State* state) const;
 
     double wanted_;
@@ -83,14 +87,8 @@ class NarrowGapSampler : public WitnessSampler {
     /// Throws as WitnessSampler does.
     explicit NarrowGapSampler(const ompl::base::SpaceInformation* si);
 
-    /// Returns false when no attempt met a gap: planners try again.
-    bool sample(ompl::base::State* state) override;
-
-    /// Samples no farther than `distance` from `near`. Returns false when no attempt succeeded.
-    bool sampleNear(ompl::base::State* state, const ompl::base::State* near, double distance) override;
-
   private:
-    bool findGap(ompl::base::State* state);
+    bool settle(ompl::base::State* state) override;
     bool centre(ompl::base::State* state) const;
     void balance(ompl::base::State* state, const Vector3& away, double width) const;
 

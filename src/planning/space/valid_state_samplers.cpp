@@ -55,6 +55,22 @@ WitnessSampler::~WitnessSampler() {
     si_->freeState(other_);
 }
 
+bool WitnessSampler::sample(ob::State* state) {
+    for (unsigned int i = 0; i < attempts_; ++i) {
+        sampler_->sampleUniform(state);
+        if (settle(state)) return true;
+    }
+    return false;
+}
+
+bool WitnessSampler::sampleNear(ob::State* state, const ob::State* near, double distance) {
+    for (unsigned int i = 0; i < attempts_; ++i) {
+        sampler_->sampleUniformNear(state, near, distance);
+        if (settle(state) && si_->distance(state, near) <= distance) return true;
+    }
+    return false;
+}
+
 WitnessSampler::StateClearance WitnessSampler::clearanceAt(const ob::State* state) const {
     StateClearance found;
     found.isValid = checker_->isValid(state, found.clearance);
@@ -95,22 +111,6 @@ ContactNormalSampler::~ContactNormalSampler() {
     si_->freeState(free_);
 }
 
-bool ContactNormalSampler::sample(ob::State* state) {
-    for (unsigned int i = 0; i < attempts_; ++i) {
-        sampler_->sampleUniform(state);
-        if (settle(state)) return true;
-    }
-    return false;
-}
-
-bool ContactNormalSampler::sampleNear(ob::State* state, const ob::State* near, double distance) {
-    for (unsigned int i = 0; i < attempts_; ++i) {
-        sampler_->sampleUniformNear(state, near, distance);
-        if (settle(state) && si_->distance(state, near) <= distance) return true;
-    }
-    return false;
-}
-
 /// Settles for the state as drawn or, where that collides, for one beside the obstacle.
 bool ContactNormalSampler::settle(ob::State* state) {
     if (checker_->isValid(state)) return pushAway(state);
@@ -147,25 +147,9 @@ NarrowGapSampler::NarrowGapSampler(const ob::SpaceInformation* si)
         "gap", [this](double gap) { gap_ = gap; }, [this] { return gap_; });
 }
 
-bool NarrowGapSampler::sample(ob::State* state) {
-    for (unsigned int i = 0; i < attempts_; ++i) {
-        sampler_->sampleUniform(state);
-        if (findGap(state)) return true;
-    }
-    return false;
-}
-
-bool NarrowGapSampler::sampleNear(ob::State* state, const ob::State* near, double distance) {
-    for (unsigned int i = 0; i < attempts_; ++i) {
-        sampler_->sampleUniformNear(state, near, distance);
-        if (findGap(state) && si_->distance(state, near) <= distance) return true;
-    }
-    return false;
-}
-
 /// Tries the drawn state, a valid state about a gap's width beside it, or the middle between two states that
 /// collide.
-bool NarrowGapSampler::findGap(ob::State* state) {
+bool NarrowGapSampler::settle(ob::State* state) {
     if (checker_->isValid(state)) return centre(state);
     sampler_->sampleGaussian(other_, state, gap_);
     if (!checker_->isValid(other_)) si_->getStateSpace()->interpolate(state, other_, 0.5, other_);
