@@ -103,9 +103,7 @@ void Solid::lookInFront(const std::string& name) {
     for (const auto& [a, b, c] : triangles_) {
         const Vector3 normal = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]).normalized();
         const Vector3 middle = (vertices_[a] + vertices_[b] + vertices_[c]) / 3;
-        const int inFront = winding({}, {}, middle + step * normal);
-        hasWallInside_ = hasWallInside_ || inFront > 0;
-        if (inFront < 0) {
+        if (winding({}, {}, middle + step * normal) < 0) {
             refuseSolid(name, "a part of its surface faces the other way than the rest, near " +
                                   roundedPoint(middle) + ", expected all to face one way");
         }

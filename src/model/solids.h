@@ -35,9 +35,6 @@ class Solid {
     static Solid oriented(const Mesh& mesh);
 
     bool isTurnedOver() const { return isTurnedOver_; }
-
-    /// Whether the surface, which touches itself along edges, is also inside of what it bounds.
-    bool hasWallInside() const { return hasWallInside_; }
     const Box& box() const { return box_; }  ///< mesh coordinates
 
     /// How often the surface, moved by X_aMesh, winds around the point moved by X_aPoint, in exact arithmetic
@@ -64,7 +61,7 @@ class Solid {
     BoxTree tree_;  ///< of the triangles
     std::vector<Vector3> shellVertices_;
     Box box_;
-    bool isTurnedOver_ = false, hasWallInside_ = false;
+    bool isTurnedOver_ = false;
 };
 
 /// The insides of a mesh's closed components, and one vertex of each of its connected pieces.
