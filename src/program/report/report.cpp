@@ -27,7 +27,7 @@ CLEARWAY_EMBED(clearwayPageProfile, CLEARWAY_REPORT "/page/profile.js")
 CLEARWAY_EMBED(clearwayPagePanels, CLEARWAY_REPORT "/page/panels.js")
 CLEARWAY_EMBED(clearwayPageMain, CLEARWAY_REPORT "/page/main.js")
 CLEARWAY_EMBED(clearwayThreeModule, CLEARWAY_REPORT "/vendor/three/three.module.min.js")
-CLEARWAY_EMBED(clearwayOrbitControls, CLEARWAY_REPORT "/vendor/three/OrbitControls.js")
+CLEARWAY_EMBED(clearwayOrbitControls, CLEARWAY_REPORT "/vendor/three/OrbitControls.min.js")
 
 namespace clearway::report {
 namespace {
