@@ -115,14 +115,13 @@ void addRows(Rows& rows, const PairFigures& figures) {
 
 }  // namespace
 
-void FclFigures::add(const FclAnswer& answer, double truth, double sceneSize) {
-    ++asked;
-    if (truth == 0 && !answer.collides) ++freeByCollide;
-    if (!answer.isThere) {
+void FclFigures::add(double distance, bool collides, double truth, double sceneSize) {
+    if (truth == 0 && !collides) ++freeByCollide;
+    if (std::isnan(distance)) {
         ++noAnswer;
         return;
     }
-    const double distance = std::max(answer.distance, 0.0);
+    distance = std::max(distance, 0.0);
     if (truth == 0 && distance > 0) ++freeByDistance;
     if (distance > truth + 1e-6 * sceneSize) ++tooFar;
     if (sceneSize > 0) worstOfScene = std::max(worstOfScene, std::abs(distance - truth) / sceneSize);

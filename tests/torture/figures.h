@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "torture/fcl_check.h"
 #include "torture/mesh_check.h"
 #include "torture/pair_check.h"
 
@@ -16,11 +15,11 @@ namespace clearway::testing {
 /// FCL's figures on these cases: contact called free by each of its two queries, distances too large by more
 /// than 1e-6 of the scene (which a margin would accept as valid), and answers that are not a number.
 struct FclFigures {
-    std::uint64_t asked = 0;
     double worstOfScene = 0;
     std::uint64_t freeByCollide = 0, freeByDistance = 0, tooFar = 0, noAnswer = 0;
 
-    void add(const FclAnswer& answer, double truth, double sceneSize);
+    /// distance: 0 or less on contact; NaN if FCL has none.
+    void add(double distance, bool collides, double truth, double sceneSize);
 };
 
 struct WorstFinish {

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "bench/peer.h"
 #include "torture/repeat.h"
 
 namespace clearway::testing {
@@ -70,6 +71,20 @@ void inTurns(std::size_t families, Progress& progress, const TryOne& tryOne) {
     }
 }
 
+/// FCL's trees of two meshes: RSS for distances, OBBRSS for collisions.
+class FclTrees {
+  public:
+    FclTrees(const Mesh& part, const Mesh& environment)
+        : distances_(makeFclRss(part, environment)), collisions_(makeFclObbRss(part, environment)) {}
+
+    void ask(const Pose& pose, double truth, double sceneSize, FclFigures& figures) const {
+        figures.add(distances_.distance(pose).value, collisions_.collides(pose).value != 0, truth, sceneSize);
+    }
+
+  private:
+    Peer distances_, collisions_;
+};
+
 /// True if FCL's products of lengths neither overflow nor vanish at these sizes.
 bool isOrdinary(double largestCoordinate) {
     return largestCoordinate > 1e-60 && largestCoordinate < 1e60;
@@ -102,8 +117,8 @@ class PairRun {
         const CheckedCase checked = checkCase(posed, seed);
         figures.add(checked);
         if (options_.withFcl && !checked.isRefused && isOrdinary(checked.lengths.largest)) {
-            const FclCheck fcl(posed.part, posed.environment);
-            figures.fcl.add(fcl.ask(posed.pose), static_cast<double>(checked.truth), checked.lengths.scene);
+            const FclTrees fcl(posed.part, posed.environment);
+            fcl.ask(posed.pose, static_cast<double>(checked.truth), checked.lengths.scene, figures.fcl);
         }
         if (checked.complaints.empty()) return;
         ++violations_;
@@ -147,7 +162,7 @@ class MeshRun {
         const Pose pose = check.draw(random);
         const CheckedPose checked = check.check(pose, random);
         figures_[f].add(checked, check.sceneSize());
-        if (options_.withFcl) figures_[f].fcl.add(fcl_[f].ask(pose), checked.distance, check.sceneSize());
+        if (options_.withFcl) fcl_[f].ask(pose, checked.distance, check.sceneSize(), figures_[f].fcl);
         if (checked.complaints.empty()) return;
         ++violations_;
         if (figures_[f].violations > 1) return;
@@ -160,7 +175,7 @@ class MeshRun {
 
     const TortureOptions& options_;
     std::vector<std::unique_ptr<MeshCheck>> checks_;
-    std::vector<FclCheck> fcl_;
+    std::vector<FclTrees> fcl_;
     std::vector<MeshFigures> figures_;
     std::uint64_t violations_ = 0;
 };
