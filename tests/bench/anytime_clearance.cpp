@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/benchmarks.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "core/number.h"
 #include "core/replace_file.h"

@@ -30,14 +30,6 @@ const BenchScene& benchSceneNamed(const std::string& name) {
     return rowNamed(benchScenes(), "the scene", name);
 }
 
-double BenchTask::partSize() const {
-    return boundingBox(part).diagonal().norm();
-}
-
-double BenchTask::sceneSize() const {
-    return partSize() + boundingBox(environment).diagonal().norm();
-}
-
 BenchTask makeTask(const BenchScene& scene, const BenchSize& size, int poses, std::uint64_t seed) {
     if (std::string_view(scene.scene) == kLinkedRings) {
         return {scene.name,

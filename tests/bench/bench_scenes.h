@@ -44,8 +44,8 @@ struct BenchTask {
     Mesh environment;
     std::vector<Pose> poses;
 
-    double partSize() const;  ///< diagonal of the part's box
-    double sceneSize() const;
+    double partSize() const { return boundingBox(part).diagonal().norm(); }  ///< diagonal of the part's box
+    double sceneSize() const { return partSize() + boundingBox(environment).diagonal().norm(); }
 };
 
 /// Makes the scene of the given size and its pose set. Trees of the default options serve to find the poses.

@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/benchmarks.h"
 #include "clearway/planning/clearance_objectives.h"
 #include "clearway/planning/motion_validator.h"
 #include "clearway/planning/planners.h"
@@ -30,7 +29,6 @@
 namespace clearway::testing::certified_motions {
 namespace {
 
-namespace ob = ompl::base;
 using planning::MotionValidator;
 
 constexpr std::size_t kLeastClearances = 20;  // by the bound, one takes up to 4 s

@@ -6,7 +6,6 @@
 
 #include <iostream>
 
-#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "core/clock.h"
 #include "core/number.h"

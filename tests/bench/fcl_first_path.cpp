@@ -12,7 +12,6 @@
 #include <iostream>
 #include <optional>
 
-#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "bench/stepped_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
@@ -24,8 +23,6 @@
 namespace clearway::testing::fcl_first_path {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 

@@ -10,7 +10,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "bench/recorded_edges.h"
 #include "bench/stepped_motion_validator.h"
@@ -21,8 +20,6 @@
 
 namespace clearway::testing::fcl_motions {
 namespace {
-
-namespace ob = ompl::base;
 
 constexpr double kRangePerFineness = 20;  // as in `clearway plan`
 constexpr int kPasses =

@@ -12,7 +12,6 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "bench/benchmarks.h"
 #include "bench/fcl_planning.h"
 #include "bench/peer.h"
 #include "clearway/model.h"
@@ -25,9 +24,6 @@
 
 namespace clearway::testing::from_files {
 namespace {
-
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 constexpr double kRangePerFineness = 20, kRangePerDiagonal = 0.25;  // as in `clearway plan`
 constexpr const char* kClearway = "clearway";

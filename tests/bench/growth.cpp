@@ -8,7 +8,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/judge.h"
 #include "bench/pinned.h"

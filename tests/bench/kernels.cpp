@@ -9,7 +9,6 @@
 #include <limits>
 #include <sstream>
 
-#include "bench/benchmarks.h"
 #include "bench/pair_kernels.h"
 #include "bench/pinned.h"
 #include "bench/series.h"

@@ -9,7 +9,6 @@
 #include <memory>
 #include <sstream>
 
-#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/float_only.h"
 #include "bench/judge.h"

@@ -14,7 +14,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bench/benchmarks.h"
 #include "bench/linked_rings.h"
 #include "bench/pinned.h"
 #include "bench/series.h"

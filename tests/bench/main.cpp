@@ -5,9 +5,32 @@
 #include <iterator>
 #include <string>
 
-#include "bench/benchmarks.h"
-
 namespace clearway::testing {
+
+// The benchmarks, one file each. words: the benchmark's name and its arguments. Each returns the program's exit code: 1 when an
+// answer is wrong, 2 when it is used wrongly; `public` 77, with which a test is skipped, when there is nothing to measure. Each throws
+// std::exception when it cannot run.
+// clang-format off
+namespace anytime_clearance { int run(int count, char** words); }
+namespace certified_motions { int run(int count, char** words); }
+namespace fcl_continuous { int run(int count, char** words); }
+namespace fcl_first_path { int run(int count, char** words); }
+namespace fcl_motions { int run(int count, char** words); }
+namespace from_files { int run(int count, char** words); }
+namespace growth { int run(int count, char** words); }
+namespace kernels { int run(int count, char** words); }
+namespace ladder { int run(int count, char** words); }
+namespace loading { int run(int count, char** words); }
+namespace motions { int run(int count, char** words); }
+namespace overlaps { int run(int count, char** words); }
+namespace plan_success { int run(int count, char** words); }
+namespace public_problems { int run(int count, char** words); }
+namespace queries { int run(int count, char** words); }
+namespace samplers { int run(int count, char** words); }
+namespace speed_error { int run(int count, char** words); }
+namespace strategies { int run(int count, char** words); }
+// clang-format on
+
 namespace {
 
 struct Benchmark {

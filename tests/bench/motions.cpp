@@ -9,7 +9,6 @@
 #include <iostream>
 #include <string>
 
-#include "bench/benchmarks.h"
 #include "bench/recorded_edges.h"
 #include "bench/stepped_motion_validator.h"
 #include "clearway/planning/motion_validator.h"
@@ -23,7 +22,6 @@ namespace clearway::testing::motions {
 using namespace scenes;
 namespace {
 
-namespace ob = ompl::base;
 using planning::MotionValidator;
 using planning::ValidityChecker;
 

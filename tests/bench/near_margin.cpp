@@ -69,10 +69,6 @@ class Collector {
 
 }  // namespace
 
-int PosesNearMargin::validPoses() const {
-    return static_cast<int>(std::count(isValid.begin(), isValid.end(), true));
-}
-
 Truth askOracle(const MeshOracle& oracle, const BenchTask& task, const Pose& pose) {
     constexpr double kOracleRoundoffs = 16;  // 2^-64 of the largest coordinate, generously
     const double distance = oracle.distance(pose).distance;

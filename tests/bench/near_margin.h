@@ -23,7 +23,7 @@ struct PosesNearMargin {
     std::vector<bool> isValid;  ///< by the oracle: whether the true distance is larger than the margin
     int undecided = 0;  ///< poses left out, because they are nearer to the margin than the oracle's error
 
-    int validPoses() const;
+    int validPoses() const { return static_cast<int>(std::count(isValid.begin(), isValid.end(), true)); }
 };
 
 /// Moves `bases` free poses, spread over the task's poses, along the difference of their closest points until

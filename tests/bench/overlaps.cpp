@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "bench/benchmarks.h"
 #include "bench/series.h"
 #include "clearway/shrink.h"
 #include "core/clock.h"

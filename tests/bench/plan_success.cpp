@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/benchmarks.h"
 #include "clearway/planning/plan.h"
 #include "clearway/problem.h"
 #include "core/number.h"

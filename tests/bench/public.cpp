@@ -20,7 +20,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "bench/benchmarks.h"
 #include "bench/public/assembly_part.h"
 #include "bench/public/checkouts.h"
 #include "bench/public/contenders.h"

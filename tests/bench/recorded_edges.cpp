@@ -7,8 +7,6 @@
 namespace clearway::testing {
 namespace {
 
-namespace ob = ompl::base;
-
 /// Passes motions on to a validator and keeps them.
 class Recorder : public ob::MotionValidator {
   public:
@@ -54,7 +52,7 @@ std::vector<Edge> EdgeRecorder::record(std::size_t count) const {
         const auto definition = std::make_shared<ob::ProblemDefinition>(si);
         definition->setStartAndGoalStates(planning::toOmpl(space_, problem_.space, problem_.start),
                                           planning::toOmpl(space_, problem_.space, problem_.goal));
-        ompl::geometric::RRTConnect planner(si);
+        og::RRTConnect planner(si);
         planner.setRange(range_);
         planner.setProblemDefinition(definition);
         planner.solve(ob::PlannerTerminationCondition([&] { return recorder->edges.size() >= count; }));

@@ -14,7 +14,7 @@
 namespace clearway::testing {
 
 struct Edge {
-    ompl::base::ScopedState<> from, to;
+    ob::ScopedState<> from, to;
 };
 
 /// Records edges. The caller sets OMPL's seed.
@@ -23,10 +23,10 @@ class EdgeRecorder {
     /// range: the longest edge of the planner's trees. Environment units.
     EdgeRecorder(const Problem& problem, const Scene& scene, double range);
 
-    const ompl::base::StateSpacePtr& space() const { return space_; }
+    const ob::StateSpacePtr& space() const { return space_; }
 
     /// A space information of the problem's space with a checker for the scene. The caller sets it up.
-    ompl::base::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const;
+    ob::SpaceInformationPtr makeSpaceInformation(const Scene& scene) const;
 
     /// Plans the problem with certified motions, repeatedly, until there are `count` edges.
     std::vector<Edge> record(std::size_t count) const;
@@ -35,7 +35,7 @@ class EdgeRecorder {
     Problem problem_;
     Scene scene_;
     double range_;
-    ompl::base::StateSpacePtr space_;
+    ob::StateSpacePtr space_;
 };
 
 }  // namespace clearway::testing

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/benchmarks.h"
 #include "bench/series.h"
 #include "clearway/planning/plan.h"
 #include "core/number.h"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "bench/benchmarks.h"
 #include "bench/error_report.h"
 #include "bench/task_options.h"
 #include "clearway/targets.h"

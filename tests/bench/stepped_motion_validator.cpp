@@ -7,8 +7,6 @@
 namespace clearway::testing {
 namespace {
 
-namespace ob = ompl::base;
-
 /// More checks than this would take days, so that the motion counts as one that cannot be checked.
 constexpr double kMostParts = 1 << 30;
 

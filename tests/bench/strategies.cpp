@@ -8,7 +8,6 @@
 #include <iostream>
 #include <sstream>
 
-#include "bench/benchmarks.h"
 #include "bench/clearway_series.h"
 #include "bench/task_options.h"
 #include "core/clock.h"

@@ -18,8 +18,6 @@
 namespace clearway::testing::public_problems {
 namespace {
 
-namespace ob = ompl::base;
-
 constexpr double kLeastOverlapPerDiagonal = 0.002;
 constexpr double kMoreThanDepth = 1.35;  ///< faces move inwards by three quarters of the overlap
 constexpr double kNextOverlap = 1.1;     ///< where the shrunk part still touches: the next one tried

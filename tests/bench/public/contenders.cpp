@@ -20,9 +20,6 @@
 namespace clearway::testing::public_problems {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr int kOraclePoses = 100;
 
 struct Run {

@@ -13,8 +13,6 @@
 namespace clearway::testing::public_problems {
 namespace {
 
-namespace ob = ompl::base;
-
 constexpr double kPrinted = 1e-5;
 constexpr int kPosesPerSegment = 20;
 
