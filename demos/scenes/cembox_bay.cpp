@@ -201,18 +201,6 @@ KeptFree keptFreeFor(const CemboxDesign& design) {
     return room;
 }
 
-void Bay::add(const std::string& name, const Piece& piece) {
-    if (keptFree.isClearOf(piece)) assembly.add(name, piece);
-}
-
-void Bay::addNumbered(const std::string& stem, const Piece& piece) {
-    if (keptFree.isClearOf(piece)) assembly.addNumbered(stem, piece);
-}
-
-Piece Bay::box(const Vector3& low, const Vector3& high, double corner, double edge) const {
-    return roundedBox(low, high, corner, edge, quarterFor(corner));
-}
-
 int Bay::segmentsFor(double radius) const {
     const double relative = std::clamp(std::sqrt(radius / 15), 0.5, 3.0);
     return 4 * std::max(2, static_cast<int>(std::lround(relative * (1.5 * cuts(detail) + 1))));
@@ -233,30 +221,6 @@ Piece Bay::turnedRing(const Polyline& loop) const {
     double radius = 0;
     for (const Vector2& p : loop) radius = std::max(radius, p.x());
     return ring(loop, segmentsFor(radius));
-}
-
-Piece Bay::tube(const Line& line, double radius, double wall) const {
-    return pipe(line, radius, wall, segmentsFor(radius));
-}
-
-Piece Bay::bar(const Line& line, double radius) const {
-    return rod(line, radius, segmentsFor(radius));
-}
-
-Piece Bay::wavyBar(const Line& line, double radius, const std::function<double(double)>& radiusAt) const {
-    return variedRod(line, radiusAt, segmentsFor(radius));
-}
-
-Polyline Bay::rounded(const Polyline& line, const std::vector<double>& radii) const {
-    return filleted(line, radii, quarterFor(*std::max_element(radii.begin(), radii.end())));
-}
-
-std::vector<double> Bay::stations(double from, double to) const {
-    return stationsBetween(from, to, detail.step);
-}
-
-Section Bay::sheet(const Polyline& line, double radius, double thickness) const {
-    return sheetSection(rounded(line, std::vector<double>(line.size() - 2, radius)), thickness);
 }
 
 void Bay::addBolt(const Vector3& at, const Vector3& axis, double shank) {

@@ -57,8 +57,12 @@ struct Bay {
     static constexpr double kTowerX = 575, kTowerY = 590, kTowerTop = 690;  // of the strut towers
 
     /// Adds the piece unless it reaches into the room the module needs.
-    void add(const std::string& name, const Piece& piece);
-    void addNumbered(const std::string& stem, const Piece& piece);
+    void add(const std::string& name, const Piece& piece) {
+        if (keptFree.isClearOf(piece)) assembly.add(name, piece);
+    }
+    void addNumbered(const std::string& stem, const Piece& piece) {
+        if (keptFree.isClearOf(piece)) assembly.addNumbered(stem, piece);
+    }
 
     /// Adds the piece with its origin at `at` and its z along `axis`, as standingAt() says.
     void add(const std::string& name, const Piece& piece, const Vector3& at, const Vector3& axis,
@@ -70,7 +74,9 @@ struct Bay {
         addNumbered(stem, placed(piece, standingAt(at, axis, turn)));
     }
 
-    Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const;
+    Piece box(const Vector3& low, const Vector3& high, double corner, double edge) const {
+        return roundedBox(low, high, corner, edge, quarterFor(corner));
+    }
     /// Segments of a circle of that radius (mm), a multiple of 4, and of a quarter of a rounding. Chords grow
     /// with the root of the radius, as with a chord tolerance. Each radius gets its next segment at another
     /// detail, so that the numbers of triangles grow in small steps.
@@ -79,14 +85,24 @@ struct Bay {
 
     Piece turnedRound(const Polyline& outline) const;
     Piece turnedRing(const Polyline& loop) const;
-    Piece tube(const Line& line, double radius, double wall) const;
-    Piece bar(const Line& line, double radius) const;
-    Piece wavyBar(const Line& line, double radius, const std::function<double(double)>& radiusAt) const;
-    Polyline rounded(const Polyline& line, const std::vector<double>& radii) const;
-    std::vector<double> stations(double from, double to) const;
+    Piece tube(const Line& line, double radius, double wall) const {
+        return pipe(line, radius, wall, segmentsFor(radius));
+    }
+    Piece bar(const Line& line, double radius) const { return rod(line, radius, segmentsFor(radius)); }
+    Piece wavyBar(const Line& line, double radius, const std::function<double(double)>& radiusAt) const {
+        return variedRod(line, radiusAt, segmentsFor(radius));
+    }
+    Polyline rounded(const Polyline& line, const std::vector<double>& radii) const {
+        return filleted(line, radii, quarterFor(*std::max_element(radii.begin(), radii.end())));
+    }
+    std::vector<double> stations(double from, double to) const {
+        return stationsBetween(from, to, detail.step);
+    }
 
     /// A sheet with the line in its middle, all its corners rounded by `radius`.
-    Section sheet(const Polyline& line, double radius, double thickness) const;
+    Section sheet(const Polyline& line, double radius, double thickness) const {
+        return sheetSection(rounded(line, std::vector<double>(line.size() - 2, radius)), thickness);
+    }
 
     /// A bolt whose head lies on `at` and points along `axis`, with a washer if the detail is fine enough.
     void addBolt(const Vector3& at, const Vector3& axis, double shank);

@@ -239,18 +239,9 @@ void SheetMetal::part(const std::string& stem, const Piece& piece) {
     if (!onlyCount_) add(assembly_.nextName(stem + ending_), piece);
 }
 
-void SheetMetal::turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at,
-                            const Vector3& axis) {
-    part(stem, placed(turned(outline, detail_.segmentsPerTurn), standingAt(at, axis)));
-}
-
 void SheetMetal::include(const std::string& prefix, const SheetMetal& other) {
     triangles_ += other.triangles_;
     if (!onlyCount_) assembly_.include(prefix, other.assembly_);
-}
-
-Polyline SheetMetal::rounded(const Polyline& line, double radius) const {
-    return filleted(line, std::vector<double>(line.size() - 2, radius), detail_.segmentsPerQuarter);
 }
 
 Mesh sheetMetalTo(std::size_t triangles, const std::string& option, const FinenessRange& range,

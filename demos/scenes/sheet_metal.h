@@ -93,7 +93,10 @@ class SheetMetal {
     }
 
     /// Adds an outline turned about z (see turned), its foot at `at`, its axis along `axis`.
-    void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at, const Vector3& axis);
+    void turnedPart(const std::string& stem, const Polyline& outline, const Vector3& at,
+                    const Vector3& axis) {
+        part(stem, placed(turned(outline, detail_.segmentsPerTurn), standingAt(at, axis)));
+    }
 
     /// Adds everything from the other; the prefix is put before its names. Both must have equal onlyCount.
     void include(const std::string& prefix, const SheetMetal& other);
@@ -112,7 +115,9 @@ class SheetMetal {
     }
 
     /// The line with each inner corner rounded by `radius`.
-    Polyline rounded(const Polyline& line, double radius) const;
+    Polyline rounded(const Polyline& line, double radius) const {
+        return filleted(line, std::vector<double>(line.size() - 2, radius), detail_.segmentsPerQuarter);
+    }
 
     std::size_t triangleCount() const { return triangles_; }
     const Assembly& assembly() const { return assembly_; }

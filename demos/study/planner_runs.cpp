@@ -38,10 +38,6 @@ Measure RunRow::calls() const {
     return queries() > 0 && kOwnPlanners.count(planner) == 0 ? Measure(sum) : std::nullopt;
 }
 
-Measure RunRow::planningSeconds() const {
-    return isSolved == 1u ? firstSolutionSeconds : std::nullopt;
-}
-
 bool RunRow::wasDisturbed() const {
     return processorSeconds && seconds && *processorSeconds < kLeastShare * *seconds;
 }

@@ -25,7 +25,7 @@ struct RunRow : CallsRow, RunMeasures {
     Measure calls() const;
 
     /// The seconds to the first path; empty unless the run found one.
-    Measure planningSeconds() const;
+    Measure planningSeconds() const { return isSolved == 1u ? firstSolutionSeconds : std::nullopt; }
 
     /// True when the run had less than 95 % of a processor. The machine was then busy with other work, and
     /// the run's clock times include it.

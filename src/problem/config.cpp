@@ -158,10 +158,6 @@ double ConfigValues::requiredNumber(const std::string& name, const std::string& 
     return *number(name);
 }
 
-std::string ConfigValues::placeOf(const std::string& name) const {
-    return place(file_, entries_.at(name).line);
-}
-
 void ConfigValues::refuse(const std::string& name, const std::string& expected) const {
     const ConfigEntry& entry = entries_.at(name);
     throw ArgumentError(placeOf(name) + shown(name) + " is " + quote(entry.value) + ", expected " + expected);

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text.h"
+
 // clearway::planning uses it too, from another shared library.
 #pragma GCC visibility push(default)
 
@@ -75,7 +77,7 @@ class ConfigValues {
     [[noreturn]] void refuse(const std::string& name, const std::string& expected) const;
 
     /// "p.cfg:7: ", for messages about a key that is there.
-    std::string placeOf(const std::string& name) const;
+    std::string placeOf(const std::string& name) const { return place(file_, entries_.at(name).line); }
 
     /// The entries that have not been read, in the file's order.
     std::vector<ConfigEntry> unread() const;

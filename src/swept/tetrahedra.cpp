@@ -57,10 +57,6 @@ Tetrahedra::Tetrahedra(const Box& box) {
     }
 }
 
-std::uint64_t Tetrahedra::keyOf(std::uint32_t a, std::uint32_t b) {
-    return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
-}
-
 void Tetrahedra::bisect(std::size_t tetrahedron) {
     const Tetrahedron whole = all_[tetrahedron];
     const auto& c = whole.corners;

@@ -61,7 +61,9 @@ class Tetrahedra {
     std::vector<std::size_t> withVerticesFrom(std::size_t first) const;
 
   private:
-    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
+    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
+        return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
+    }
     bool isRightHanded(const std::array<std::uint32_t, 4>& corners) const;
 
     /// A triangle's longest halved edge: number k goes from corner k to the next one. None if all are whole.

@@ -5,10 +5,6 @@
 
 namespace clearway::testing {
 
-double SoupReader::earlier() {
-    return numbers_[bytes_.below(std::min<std::size_t>(numbers_.size(), 256))];
-}
-
 double SoupReader::coordinate() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const auto small = [&] { return double(bytes_.take<std::int8_t>()); };

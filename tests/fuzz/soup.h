@@ -24,7 +24,7 @@ class SoupReader {
     Pose pose();
 
   private:
-    double earlier();
+    double earlier() { return numbers_[bytes_.below(std::min<std::size_t>(numbers_.size(), 256))]; }
     Bytes& bytes_;
     bool isWild_;
     std::vector<double> numbers_{0};

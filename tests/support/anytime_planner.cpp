@@ -19,8 +19,6 @@
 namespace clearway::testing {
 namespace {
 
-namespace ob = ompl::base;
-
 /// The longest edge of a planner's trees, as `clearway plan` sets it.
 double rangeOf(const Problem& problem, const Model& part) {
     return problem.fineness ? 20 * *problem.fineness : 0.25 * part.box().diagonal().norm();
@@ -82,13 +80,9 @@ void AnytimePlanner::plan(const ob::PlannerTerminationCondition& isSpent) {
     definition_->clearSolutionPaths();
 }
 
-bool AnytimePlanner::isSatisfied() const {
-    return best_ && objective_->isSatisfied(ob::Cost(*best_));
-}
-
 double AnytimePlanner::certifiedClearance() {
     if (!bestPath_) return -std::numeric_limits<double>::infinity();
-    const auto& states = bestPath_->as<ompl::geometric::PathGeometric>()->getStates();
+    const auto& states = bestPath_->as<og::PathGeometric>()->getStates();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < states.size(); ++i) {
         least = std::min(least, validator_->report(states[i - 1], states[i]).lowerClearance);

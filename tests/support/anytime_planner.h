@@ -38,7 +38,7 @@ class AnytimePlanner {
     const std::optional<double>& best() const { return best_; }
 
     /// Whether the best cost is optimal.
-    bool isSatisfied() const;
+    bool isSatisfied() const { return best_ && objective_->isSatisfied(ompl::base::Cost(*best_)); }
 
     /// The least clearance of the best path, by the validator's reports, whatever the objective.
     double certifiedClearance();

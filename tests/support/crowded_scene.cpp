@@ -10,8 +10,6 @@
 namespace clearway::testing {
 namespace {
 
-namespace ob = ompl::base;
-
 /// Reaches tell clearances up to this share of the part's diagonal.
 constexpr double kReachedClearance = 0.3;
 
@@ -134,10 +132,6 @@ PartState CrowdedScene::bodyState(const ob::State* state) const {
     PartState body = planning::fromOmpl(kind, state);
     body.position += body.rotation.normalized() * bodyInPart;
     return body;
-}
-
-ob::ScopedState<> CrowdedScene::state(const PartState& body) const {
-    return planning::toOmpl(space, kind, partState(body));
 }
 
 namespace {

@@ -67,7 +67,9 @@ struct CrowdedScene {
     /// The part's state where its body has this one, and back.
     PartState partState(const PartState& body) const;
     PartState bodyState(const ompl::base::State* state) const;
-    ompl::base::ScopedState<> state(const PartState& body) const;
+    ompl::base::ScopedState<> state(const PartState& body) const {
+        return planning::toOmpl(space, kind, partState(body));
+    }
 
     bool hasZones() const { return scene.startContact || scene.goalContact; }
 

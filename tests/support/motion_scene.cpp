@@ -13,8 +13,6 @@ namespace clearway::testing {
 using namespace scenes;
 namespace {
 
-namespace ob = ompl::base;
-
 struct Found {
     double time, distance;
     bool operator<(const Found& other) const { return distance < other.distance; }

@@ -20,7 +20,7 @@ struct MotionWindow {
     explicit MotionWindow(double margin = 0, const planning::MotionOptions& options = {},
                           Space kind = Space::kSe3)
         : space(planning::makeSpace(kind, Box(Vector3(-100, -60, -60), Vector3(100, 60, 60)), 1)),
-          si(std::make_shared<ompl::base::SpaceInformation>(space)),
+          si(std::make_shared<ob::SpaceInformation>(space)),
           spaceKind(kind) {
         window.scene.obstacles[0].margin = margin;
         si->setStateValidityChecker(std::make_shared<planning::ValidityChecker>(si, window.scene));
@@ -29,33 +29,31 @@ struct MotionWindow {
         si->setup();
     }
 
-    ompl::base::ScopedState<> at(const Vector3& position, double angle = 0,
-                                 const Vector3& axis = Vector3::UnitZ()) const {
+    ob::ScopedState<> at(const Vector3& position, double angle = 0,
+                         const Vector3& axis = Vector3::UnitZ()) const {
         PartState state;
         state.position = position;
         state.rotation = Eigen::AngleAxisd(angle, axis);
         return planning::toOmpl(space, spaceKind, state);
     }
 
-    bool check(const ompl::base::ScopedState<>& s1, const ompl::base::ScopedState<>& s2) const {
+    bool check(const ob::ScopedState<>& s1, const ob::ScopedState<>& s2) const {
         return validator->checkMotion(s1.get(), s2.get());
     }
-    planning::MotionReport report(const ompl::base::ScopedState<>& s1,
-                                  const ompl::base::ScopedState<>& s2) const {
+    planning::MotionReport report(const ob::ScopedState<>& s1, const ob::ScopedState<>& s2) const {
         return validator->report(s1.get(), s2.get());
     }
 
     WindowScene window = windowScene();
-    ompl::base::StateSpacePtr space;
-    ompl::base::SpaceInformationPtr si;
+    ob::StateSpacePtr space;
+    ob::SpaceInformationPtr si;
     Space spaceKind;
     std::shared_ptr<planning::MotionValidator> validator;
 };
 
-inline ompl::geometric::PathGeometric pathOf(const MotionWindow& f,
-                                             const std::vector<ompl::base::ScopedState<>>& states) {
-    ompl::geometric::PathGeometric path(f.si);
-    for (const ompl::base::ScopedState<>& state : states) path.append(state.get());
+inline og::PathGeometric pathOf(const MotionWindow& f, const std::vector<ob::ScopedState<>>& states) {
+    og::PathGeometric path(f.si);
+    for (const ob::ScopedState<>& state : states) path.append(state.get());
     return path;
 }
 

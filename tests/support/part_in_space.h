@@ -17,7 +17,7 @@ struct PartInSpace {
         : spaceKind(kind),
           space(planning::makeSpace(
               kind, Box(Vector3::Constant(-halfSide).eval(), Vector3::Constant(halfSide).eval()), 1)),
-          si(std::make_shared<ompl::base::SpaceInformation>(space)),
+          si(std::make_shared<ob::SpaceInformation>(space)),
           checker(std::make_shared<planning::ValidityChecker>(si, scene)),
           validator(std::make_shared<planning::MotionValidator>(si, scene)) {
         si->setStateValidityChecker(checker);
@@ -25,25 +25,23 @@ struct PartInSpace {
         si->setup();
     }
 
-    ompl::base::ScopedState<> at(const PartState& state) const {
-        return planning::toOmpl(space, spaceKind, state);
-    }
-    ompl::base::ScopedState<> at(const Vector3& position, double angle = 0,
-                                 const Vector3& axis = Vector3::UnitZ()) const {
+    ob::ScopedState<> at(const PartState& state) const { return planning::toOmpl(space, spaceKind, state); }
+    ob::ScopedState<> at(const Vector3& position, double angle = 0,
+                         const Vector3& axis = Vector3::UnitZ()) const {
         PartState state;
         state.position = position;
         state.rotation = Eigen::AngleAxisd(angle, axis);
         return at(state);
     }
-    PartState stateOf(const ompl::base::State* state) const { return planning::fromOmpl(spaceKind, state); }
+    PartState stateOf(const ob::State* state) const { return planning::fromOmpl(spaceKind, state); }
     bool isValid(const Vector3& position) const { return checker->isValid(at(position).get()); }
     bool check(const Vector3& from, const Vector3& to) const {
         return validator->checkMotion(at(from).get(), at(to).get());
     }
 
     Space spaceKind;
-    ompl::base::StateSpacePtr space;
-    ompl::base::SpaceInformationPtr si;
+    ob::StateSpacePtr space;
+    ob::SpaceInformationPtr si;
     std::shared_ptr<planning::ValidityChecker> checker;
     std::shared_ptr<planning::MotionValidator> validator;
 };

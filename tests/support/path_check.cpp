@@ -14,7 +14,7 @@ std::vector<Pose> posesAlong(const std::vector<PartState>& path, Space kind, dou
     const Box anywhere(Vector3::Constant(-1e9), Vector3::Constant(1e9));
     const auto space = planning::makeSpace(kind, anywhere, sceneSize / 10);
     const auto toPose = planning::stateToPose(*space);
-    std::vector<ompl::base::ScopedState<>> given;
+    std::vector<ob::ScopedState<>> given;
     std::vector<double> reached{0};
     for (const PartState& state : path) {
         given.push_back(planning::toOmpl(space, kind, state));
@@ -27,7 +27,7 @@ std::vector<Pose> posesAlong(const std::vector<PartState>& path, Space kind, dou
         const auto next = std::upper_bound(reached.begin() + 1, reached.end() - 1, length) - reached.begin();
         const auto k = static_cast<std::size_t>(next);
         const double gap = reached[k] - reached[k - 1];
-        ompl::base::ScopedState<> state(space);
+        ob::ScopedState<> state(space);
         space->interpolate(given[k - 1].get(), given[k].get(), gap > 0 ? (length - reached[k - 1]) / gap : 0,
                            state.get());
         poses.push_back(toPose(state.get()));

@@ -74,14 +74,6 @@ void MeshCollector::acceptTail(std::string_view tail, std::size_t most, const st
     if (!isBlank) note("left out: " + follow);
 }
 
-void MeshCollector::setUnit(double metres) {
-    mesh_.origin.unitMetres = metres;
-}
-
-void MeshCollector::setUpAxis(char axis) {
-    mesh_.origin.upAxis = axis;
-}
-
 Mesh MeshCollector::take() {
     closeComponent();
     if (mesh_.triangles.empty()) {

@@ -75,8 +75,8 @@ class MeshCollector {
     void acceptTail(std::string_view tail, std::size_t most, const std::string& declared);
 
     /// The unit that the file states, in metres, and its up axis ('x', 'y' or 'z'). Both are shown, and never applied in the stored reading.
-    void setUnit(double metres);
-    void setUpAxis(char axis);
+    void setUnit(double metres) { mesh_.origin.unitMetres = metres; }
+    void setUpAxis(char axis) { mesh_.origin.upAxis = axis; }
 
     /// The mesh; components without faces are left out, the others get names as loadMesh promises. Refuses a mesh without triangles.
     Mesh take();

@@ -11,9 +11,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// Compares only properties that wrapper spaces (such as CForest's) forward.
 bool isSameKind(const ob::StateSpace& a, const ob::StateSpace& b) {
     return a.getDimension() == b.getDimension() && a.getSerializationLength() == b.getSerializationLength();

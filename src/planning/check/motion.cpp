@@ -10,8 +10,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// How far a point of the part is, at the pose that was queried, from its place in the motion in exact
 /// arithmetic: a share of the sum of the part's radius, the positions, the length and the margin, whose
 /// subtraction rounds too. In units of 2^-53: in OMPL's slerp the sines, the factors and the sum are off by

@@ -43,8 +43,8 @@ struct MotionSample : Bounds {
 class Motion {
   public:
     /// floor: clearance required on top of the margins.
-    Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ompl::base::State* s1,
-           const ompl::base::State* s2);
+    Motion(const PosedScene& posed, ClearanceDetail detail, double floor, const ob::State* s1,
+           const ob::State* s2);
 
     /// Whether s2 is valid: by far the cheapest test of a motion. Throws what queries and callbacks throw.
     bool isEndValid();
@@ -151,7 +151,7 @@ class Motion {
     const std::optional<TimeSpan>& goalContact() const { return goalContact_; }
 
   private:
-    MotionSample look(const ompl::base::State* state, double time, double wanted, bool checksBounds);
+    MotionSample look(const ob::State* state, double time, double wanted, bool checksBounds);
     MotionSample sampleOf(double time, const PoseClearance& found) const;
     double findEndJump() const;
     PartMotion sweptMotion();
@@ -166,8 +166,8 @@ class Motion {
     const PosedScene& posed_;
     ClearanceDetail detail_;
     double floor_;
-    const ompl::base::State* s1_;
-    const ompl::base::State* s2_;
+    const ob::State* s1_;
+    const ob::State* s2_;
     ScratchState scratch_;
     PartMotion motion_;
     double slack_ = 0;

@@ -16,8 +16,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// How near to a pose in collision the last valid pose is looked for, in least intervals. A planner has no
 /// use for a closer pose, and each halving is a query.
 constexpr double kContactIntervals = 100;

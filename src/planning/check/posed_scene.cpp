@@ -9,7 +9,7 @@
 
 namespace clearway::planning {
 
-PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene shared, For what)
+PosedScene::PosedScene(const ob::SpaceInformationPtr& si, SharedScene shared, For what)
     : si_(si.get()),
       shared_(std::move(shared)),
       areBoundsConvex_(!shared_.stateToPose()),
@@ -26,7 +26,7 @@ PosedScene::PosedScene(const ompl::base::SpaceInformationPtr& si, SharedScene sh
     }
 }
 
-WhyInvalid PosedScene::whyInvalid(const ompl::base::State* state) const {
+WhyInvalid PosedScene::whyInvalid(const ob::State* state) const {
     try {
         if (!si_->satisfiesBounds(state)) return whyOutOfBounds(space(), state);
         const Pose X_environmentPart = pose(state);

@@ -8,8 +8,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-
 ValidityChecker::ValidityChecker(const ob::SpaceInformationPtr& si, SharedScene scene)
     : StateValidityChecker(si),
       posed_(std::make_shared<const PosedScene>(si, std::move(scene), PosedScene::For::kStates)) {

@@ -14,8 +14,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// Targets of motions may be beyond the bounds by this share of the part's diagonal. Planners never aim there, but
 /// without such targets no motion would meet a bound.
 constexpr double kBeyondPerDiagonal = 0.25;

@@ -14,8 +14,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// The part's origin is at a bound when it is within this share of the part's diagonal of it.
 constexpr double kTouchPerDiagonal = 1e-3;
 

@@ -6,9 +6,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// A state so much closer to the one before than the spacing is dropped when the motion past it is not much longer.
 constexpr double kClose = 0.4, kLongestJoined = 1.2;
 /// Calls of respace() for which a state in the middle of a tight motion stays. Later the motion may have more clearance.
@@ -35,14 +32,6 @@ void BandStates::copyTo(og::PathGeometric& path) const {
     for (const BandState& state : states_) path.append(state.get());
 }
 
-double BandStates::displacementOf(const Twist& twist) const {
-    return twist.head<3>().norm() + twist.tail<3>().norm() * moves_.radius() / moves_.lever();
-}
-
-bool BandStates::keeps(const ob::State* from, const ob::State* to, double clearance) const {
-    return validator_.keepsClearance(from, to, clearance, isSpent_);
-}
-
 bool BandStates::allKeep(double clearance) {
     const std::size_t motions = count() - 1;
     for (std::size_t k = 0; k < motions; ++k) {
@@ -52,12 +41,6 @@ bool BandStates::allKeep(double clearance) {
         return false;
     }
     return true;
-}
-
-/// True when a state may be put between two others.
-bool BandStates::mayStand(const ob::State* from, const ob::State* state, const ob::State* to,
-                          const std::optional<double>& floor) const {
-    return !floor || (keeps(from, state, *floor) && keeps(state, to, *floor));
 }
 
 void BandStates::respace(double spacing, const std::optional<double>& floor) {

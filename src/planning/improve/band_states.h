@@ -23,28 +23,32 @@ struct BandState {
     double clearance = 0;  ///< a lower bound; 0: not known
     int spared = 0;        ///< respace() drops the state only after so many calls
 
-    ompl::base::State* get() const { return scratch->get(); }
+    ob::State* get() const { return scratch->get(); }
 };
 
 class BandStates {
   public:
     /// The arguments must outlive this object. isSpent may be empty; once it returns true no motion keeps anything.
-    BandStates(const ompl::base::SpaceInformation& si, const MotionValidator& validator,
-               const PartMoves& moves, const std::function<bool()>& isSpent)
+    BandStates(const ob::SpaceInformation& si, const MotionValidator& validator, const PartMoves& moves,
+               const std::function<bool()>& isSpent)
         : si_(si), validator_(validator), moves_(moves), isSpent_(isSpent) {}
 
     /// Forgets what is known around the states.
-    void takeFrom(const ompl::geometric::PathGeometric& path);
-    void copyTo(ompl::geometric::PathGeometric& path) const;
+    void takeFrom(const og::PathGeometric& path);
+    void copyTo(og::PathGeometric& path) const;
 
     std::size_t count() const { return states_.size(); }
     BandState& operator[](std::size_t i) { return states_[i]; }
     const BandState& operator[](std::size_t i) const { return states_[i]; }
 
     /// No point of the part moves further.
-    double displacementOf(const Twist& twist) const;
+    double displacementOf(const Twist& twist) const {
+        return twist.head<3>().norm() + twist.tail<3>().norm() * moves_.radius() / moves_.lever();
+    }
 
-    bool keeps(const ompl::base::State* from, const ompl::base::State* to, double clearance) const;
+    bool keeps(const ob::State* from, const ob::State* to, double clearance) const {
+        return validator_.keepsClearance(from, to, clearance, isSpent_);
+    }
 
     /// Begins with the motion that failed last.
     bool allKeep(double clearance);
@@ -58,14 +62,17 @@ class BandStates {
     void divideTight(double clearance, const std::optional<double>& floor);
 
   private:
-    BandState make(const ompl::base::State* state) const;
-    bool mayStand(const ompl::base::State* from, const ompl::base::State* state, const ompl::base::State* to,
-                  const std::optional<double>& floor) const;
+    BandState make(const ob::State* state) const;
+    /// True when a state may be put between two others.
+    bool mayStand(const ob::State* from, const ob::State* state, const ob::State* to,
+                  const std::optional<double>& floor) const {
+        return !floor || (keeps(from, state, *floor) && keeps(state, to, *floor));
+    }
     void divide(std::vector<BandState>& spaced, const BandState& next, double parts,
                 const std::optional<double>& floor) const;
     bool isTight(const BandState& from, const BandState& to, double clearance) const;
 
-    const ompl::base::SpaceInformation& si_;
+    const ob::SpaceInformation& si_;
     const MotionValidator& validator_;
     const PartMoves& moves_;
     const std::function<bool()>& isSpent_;

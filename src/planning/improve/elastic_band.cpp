@@ -13,9 +13,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr int kSweepsPerCheck = 4, kSweepsPerStage = 16;
 constexpr double kStageGain = 1.005;  ///< a stage that raises the clearance by less has stopped to gain
 constexpr double kRoughKept = 0.1;    ///< so close is the clearance known that the band begins with

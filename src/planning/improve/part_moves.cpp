@@ -11,8 +11,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-
 namespace {
 
 PartState partState(bool isPlanar, const ob::State* state) {

@@ -15,9 +15,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// Where a floor cannot be kept, this share of it is tried next.
 constexpr double kNextFloor = 0.25;
 

@@ -14,9 +14,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr double kAsMuch = 0.97;                  ///< of another clearance is about as much
 constexpr double kLeastSaving = 5 * M_PI / 180;   ///< radians; less is not worth a stretch's motions
 constexpr double kLongestTurn = 20 * M_PI / 180;  ///< of a motion to be unwound, radians

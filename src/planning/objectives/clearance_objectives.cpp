@@ -20,8 +20,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// An order of any two states that does not depend on which comes first.
 bool isInOrder(const ob::StateSpace& space, const ob::State* a, const ob::State* b) {
     if (!space.hasSymmetricInterpolate()) return true;  // the two directions are two motions

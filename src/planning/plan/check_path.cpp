@@ -18,8 +18,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// The tolerance of ends, as a share of the part's diagonal. Paths written with 6 digits are off by less.
 constexpr double kTolerancePerDiagonal = 1e-4;
 
@@ -58,7 +56,7 @@ PathCheck checkPath(const Problem& problem, const Scene& scene, const std::vecto
     si->setStateValidityChecker(checker);
     si->setup();
 
-    ompl::geometric::PathGeometric states(si);
+    og::PathGeometric states(si);
     for (const PartState& state : path)
         states.append(toOmpl(si->getStateSpace(), problem.space, state).get());
     const ob::State* first = states.getState(0);

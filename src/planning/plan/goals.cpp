@@ -10,8 +10,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-
 ob::GoalPtr makeGoal(const ob::SpaceInformationPtr& si, const Problem& problem, const Scene& scene) {
     if (problem.outside) return std::make_shared<OutsideGoal>(si, scene, *problem.outside, problem.start);
     const auto goal = std::make_shared<ob::GoalState>(si);

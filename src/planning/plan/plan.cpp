@@ -22,9 +22,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// The share of the time that planners get that would use all of it. The rest is for shortening.
 constexpr double kImprovingShare = 0.75;
 

@@ -22,9 +22,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr const char* kDefaultPlanner = "PlannerTeam";
 /// The planners that AnytimePathShortening runs side by side, and with them the default planner, which finds ways where OMPL's
 /// own do not.

@@ -13,9 +13,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 og::SimpleSetup makeSetup(const Problem& problem, const Scene& scene) try {
     const Box bounds = boundsOf(problem, scene.environmentBox(), scene.part.box());
     og::SimpleSetup setup(makeSpace(problem.space, bounds, scene.part.radiusAboutOrigin()));

@@ -58,10 +58,6 @@ Trials::Trials(const Problem& problem, const ExplainOptions& options)
     };
 }
 
-bool Trials::isOver() const {
-    return options_.isStopped();
-}
-
 std::optional<TrialPath> Trials::run(const Scene& scene) {
     if (isOver()) return std::nullopt;
     ++count_;

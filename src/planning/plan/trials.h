@@ -29,7 +29,7 @@ class Trials {
     /// The obstacles that stopped the last trial that found no path, most first.
     const std::vector<Blocker>& blockers() const { return blockers_; }
 
-    bool isOver() const;
+    bool isOver() const { return options_.isStopped(); }
 
     /// Lets trials go on until a share of the whole time has passed.
     void allow(double share) { share_ = share; }

@@ -19,9 +19,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// The clearances before and after are measured to these shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
 

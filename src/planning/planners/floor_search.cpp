@@ -22,9 +22,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// Floors, by turns, of the planners that look for short ways, as shares of the best clearance. A low one is quick, and a
 /// high one keeps out of ways that are short but narrow.
 constexpr double kShortPathsFloors[] = {0.5, 0.75, 0.9};
@@ -179,14 +176,6 @@ void FloorSearch::widenLater(const WidePath& path, double seconds, bool isShortP
     waiting_.push_back(job);
 }
 
-double FloorSearch::radius() const {
-    return 0.5 * validator_->scene().part.box().diagonal().norm();
-}
-
-const WidePath& FloorSearch::bestPath() const {
-    return shortPath_ && isBetterPath(*shortPath_, best_, radius()) ? *shortPath_ : best_;
-}
-
 void FloorSearch::run(const FloorSearchOptions& options, const std::function<bool()>& isSpent) {
     options_ = options;
     isSpent_ = isSpent;
@@ -222,10 +211,6 @@ bool FloorSearch::isOver() const {
     if (isSpent_()) return true;
     const std::lock_guard<std::mutex> lock(mutex_);
     return isEnough_;
-}
-
-bool FloorSearch::isEnough(const WidePath& path) const {
-    return path.clearance >= options_.enough || (options_.isEnough && options_.isEnough(path));
 }
 
 void FloorSearch::work() {

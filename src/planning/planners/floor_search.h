@@ -54,7 +54,9 @@ class FloorSearch {
     void run(const FloorSearchOptions& options, const std::function<bool()>& isSpent);
 
     /// The path of most clearance, or one that keeps a little less where it winds less: see isBetterPath().
-    const WidePath& bestPath() const;
+    const WidePath& bestPath() const {
+        return shortPath_ && isBetterPath(*shortPath_, best_, radius()) ? *shortPath_ : best_;
+    }
 
     /// How much clearance the widest path keeps. May be called while run() goes on.
     double clearance() const;
@@ -83,10 +85,12 @@ class FloorSearch {
     double shortenFirst(const Job& job, ompl::geometric::PathGeometric& path) const;
     void seek(const Job& job);
     void widenLater(const WidePath& path, double seconds, bool isShortPath);
-    bool isEnough(const WidePath& path) const;
+    bool isEnough(const WidePath& path) const {
+        return path.clearance >= options_.enough || (options_.isEnough && options_.isEnough(path));
+    }
     void takeIfBetter(const WidePath& path, double gain);
     bool isTooLong(const ompl::geometric::PathGeometric& path) const;
-    double radius() const;
+    double radius() const { return 0.5 * validator_->scene().part.box().diagonal().norm(); }
     bool isOver() const;
 
     ompl::base::SpaceInformationPtr si_;

@@ -5,9 +5,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// One of so many samples is drawn anywhere; the others lie beside the narrow places.
 constexpr int kAnywhere = 4;
 
@@ -44,37 +41,9 @@ void BesideNarrows::sampleUniform(ob::State* state) {
     space_->enforceBounds(state);
 }
 
-void BesideNarrows::sampleUniformNear(ob::State* state, const ob::State* near, double distance) {
-    anywhere_->sampleUniformNear(state, near, distance);
-}
-
-void BesideNarrows::sampleGaussian(ob::State* state, const ob::State* mean, double deviation) {
-    anywhere_->sampleGaussian(state, mean, deviation);
-}
-
 EndOfPath::EndOfPath(const ob::SpaceInformationPtr& si, ob::GoalPtr goal, const og::PathGeometric& path,
                      unsigned int first)
     : GoalSampleableRegion(si), goal_(std::move(goal)), path_(path), first_(first) {}
-
-const ob::GoalSampleableRegion& EndOfPath::region() const {
-    return *goal_->as<ob::GoalSampleableRegion>();
-}
-
-double EndOfPath::distanceGoal(const ob::State* state) const {
-    return region().distanceGoal(state);
-}
-
-bool EndOfPath::isSatisfied(const ob::State* state) const {
-    return goal_->isSatisfied(state);
-}
-
-bool EndOfPath::isSatisfied(const ob::State* state, double* distance) const {
-    return goal_->isSatisfied(state, distance);
-}
-
-unsigned int EndOfPath::maxSampleCount() const {
-    return region().maxSampleCount() + static_cast<unsigned int>(path_.getStateCount()) - first_;
-}
 
 void EndOfPath::sampleGoal(ob::State* state) const {
     const unsigned int next = first_ + drawn_ / 2;

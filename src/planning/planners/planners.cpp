@@ -57,9 +57,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 template <class PlannerClass>
 ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
     return std::make_shared<PlannerClass>(si);

@@ -17,9 +17,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr double kAsGoodAsMost = 0.99;  ///< of the most: as good as it, since clearances are known to 1 %
 constexpr double kWantedSlack = 1.15;   ///< costs are up to 10 % lower than clearances
 

@@ -17,9 +17,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 namespace {
 
 // Shares of half the diagonal of the part's box.

@@ -10,8 +10,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 // In gaps of the centred part.
 constexpr double kShortAdvance = 0.3, kLeastLength = 0.02, kCentreBelow = 0.6;
 

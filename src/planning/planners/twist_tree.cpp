@@ -12,8 +12,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 // Shares of half the diagonal of the part's box.
 constexpr double kTightGap =
     0.012;  ///< gaps of tight fits were up to .0106, those of other problems from .014 on
@@ -78,14 +76,6 @@ bool TwistTree::isTight(const SceneClearance& clearance, const PartMoves& moves,
     options.isRough = true;
     const double lower = clearance.at(X_environmentPart, options).lower;
     return lower > 0 && lower < *options.cap;
-}
-
-const ob::State* TwistTree::stateOf(const Node& node) const {
-    return node.state;
-}
-
-double TwistTree::goalDistance(const Node& node) const {
-    return goal_ != nullptr ? goal_->distanceGoal(node.state) : 0;
 }
 
 void TwistTree::addRoot(const ob::State* state) {

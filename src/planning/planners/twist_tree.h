@@ -29,7 +29,21 @@ class TwistTree {
     TwistTree(const TwistTree&) = delete;
     TwistTree& operator=(const TwistTree&) = delete;
 
-    struct Node;
+    struct Node {
+        ompl::base::State* state;
+        Pose X_environmentPart;
+        Node* parent;
+        Screw screw;        ///< from the parent, for a unit of time
+        std::size_t index;  ///< among all nodes
+        int depth;          ///< tracks from the root
+        double toGoal;      ///< the goal's distance; 0 without a goal
+        double length;      ///< of the way from the parent
+        double play;        ///< the gap that a centred part has there
+        double clearance;   ///< the part has at least this there
+        bool isWhole;       ///< the screw from the parent was followed as far as wanted
+        std::vector<ompl::base::State*>
+            states;  ///< between the parent and this one; OMPL's motions between them are valid
+    };
 
     void addRoot(const ompl::base::State* state);
     std::size_t rootCount() const { return rootCount_; }
@@ -41,7 +55,7 @@ class TwistTree {
     const Node* atGoal() const { return atGoal_; }
     /// The nodes where the part has come free: it has more play than a tight fit leaves.
     const std::vector<const Node*>& free() const { return free_; }
-    const ompl::base::State* stateOf(const Node& node) const;
+    const ompl::base::State* stateOf(const Node& node) const { return node.state; }
 
     /// The states from a root to the node, between which OMPL's motions are valid in the direction of the tree's paths.
     std::vector<const ompl::base::State*> pathTo(const Node& node) const;
@@ -126,7 +140,9 @@ class TwistTree {
     std::size_t countBehind(const Node& node) const;
     Twist twistOf(const Screw& screw, const Node& node) const;
     Screw screwOf(const Twist& twist, const Node& node) const;
-    double goalDistance(const Node& node) const;
+    double goalDistance(const Node& node) const {
+        return goal_ != nullptr ? goal_->distanceGoal(node.state) : 0;
+    }
 
     bool isValidMotion(const ompl::base::State* from, const ompl::base::State* to, double floor) const;
 
@@ -149,22 +165,6 @@ class TwistTree {
     std::vector<const Node*> free_;
     const Node* atGoal_ = nullptr;
     std::size_t rootCount_ = 0;
-};
-
-struct TwistTree::Node {
-    ompl::base::State* state;
-    Pose X_environmentPart;
-    Node* parent;
-    Screw screw;        ///< from the parent, for a unit of time
-    std::size_t index;  ///< among all nodes
-    int depth;          ///< tracks from the root
-    double toGoal;      ///< the goal's distance; 0 without a goal
-    double length;      ///< of the way from the parent
-    double play;        ///< the gap that a centred part has there
-    double clearance;   ///< the part has at least this there
-    bool isWhole;       ///< the screw from the parent was followed as far as wanted
-    std::vector<ompl::base::State*>
-        states;  ///< between the parent and this one; OMPL's motions between them are valid
 };
 
 }  // namespace clearway::planning

@@ -14,8 +14,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// radius: the part's about its origin.
 DisplacementBound makeBound(const ob::StateSpace& space, double radius, RadiusAbout radiusAbout) {
     if (isOmplSe3(space)) {

@@ -20,8 +20,6 @@
 
 namespace clearway::planning {
 
-namespace ob = ompl::base;
-
 namespace {
 
 template <class SpaceClass>

@@ -10,8 +10,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 constexpr int kMostDraws = 100;  ///< draws until one is valid
 /// States that a planner may ask for. BIT* and its kin ask for all of them before they begin.
 constexpr unsigned int kMostGoals = 100;

@@ -13,8 +13,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 /// The poses between two states, as OMPL interpolates them.
 class PosesBetween {
   public:

@@ -13,8 +13,6 @@
 namespace clearway::planning {
 namespace {
 
-namespace ob = ompl::base;
-
 Pose poseOrNone(const PartState& state) {
     const double norm = state.rotation.norm();
     if (std::isnormal(norm) && state.position.allFinite()) return poseOf(state);

@@ -167,10 +167,6 @@ FramesFolder folderOf(const FilmChoice& film) {
 
 }  // namespace
 
-std::size_t FilmChoice::pictureCount() const {
-    return static_cast<std::size_t>(std::max(2L, std::lround(seconds * rate)));
-}
-
 void FilmChoice::require(const render::RenderOptions& drawing, std::size_t states, const std::string& picture,
                          OutputFiles& files) const {
     if (!isWanted()) return;

@@ -21,7 +21,9 @@ struct FilmChoice {
     int rate = 20;  ///< pictures a second
 
     bool isWanted() const { return !frames.empty() || !video.empty(); }
-    std::size_t pictureCount() const;
+    std::size_t pictureCount() const {
+        return static_cast<std::size_t>(std::max(2L, std::lround(seconds * rate)));
+    }
 
     /// Throws before long work when a film of this size cannot be written. states: of the path. picture: the
     /// file of --out, or empty.

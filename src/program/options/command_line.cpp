@@ -134,10 +134,6 @@ void CommandLine::option(const std::string& declaration, const std::string& help
         {declaration.substr(0, declaration.find(' ')), declaration, help, std::move(read), count});
 }
 
-void CommandLine::flag(const std::string& name, const std::string& help, bool& to) {
-    option(name, help, [&to](const std::string&) { to = true; });
-}
-
 bool CommandLine::parse(const Arguments& words) {
     const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
     if (std::any_of(words.begin(), words.end(), isHelp)) return printHelp(), false;

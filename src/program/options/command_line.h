@@ -93,7 +93,9 @@ class CommandLine {
     /// declaration: "--seed N".  help: a text that ends with the default in brackets.
     void option(const std::string& declaration, const std::string& help, Reader read,
                 Count count = Count::kOptional);
-    void flag(const std::string& name, const std::string& help, bool& to);
+    void flag(const std::string& name, const std::string& help, bool& to) {
+        option(name, help, [&to](const std::string&) { to = true; });
+    }
 
     /// Forbids that both options are given.
     void exclude(const std::string& a, const std::string& b) { excluded_.push_back({a, b}); }

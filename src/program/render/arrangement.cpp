@@ -124,10 +124,6 @@ Arrangement::Arrangement(const Mesh& part, const Mesh& environment, const Cast& 
     addBodies(environment);
 }
 
-Placement Arrangement::placementOf(const PosedPart& pose) const {
-    return frame_(poseOf(pose.state), partBox_.center());
-}
-
 void Arrangement::chooseDirection() {
     isInside_ = options_.view == "inside" && !options_.eye;
     isClose_ = options_.isClose || isInside_;

@@ -51,7 +51,9 @@ class Arrangement {
     void drawOver(Image& image, const std::vector<PosedPart>& marked) const;
 
   private:
-    Placement placementOf(const PosedPart& pose) const;
+    Placement placementOf(const PosedPart& pose) const {
+        return frame_(poseOf(pose.state), partBox_.center());
+    }
     void chooseDirection();
     void cutEnvironment();
     void chooseCamera();

@@ -12,10 +12,6 @@ constexpr float kPast = 1e-5f;  ///< restarts a ray beyond the wall of a ghost; 
 
 }  // namespace
 
-bool GhostWalls::hold(std::uint32_t ghost) const {
-    return std::any_of(begin(), end(), [&](const RayHit& hit) { return hit.body == ghost; });
-}
-
 GhostWalls ghostsAlong(const Stage& ghosts, Ray ray, float most) {
     GhostWalls walls;
     for (int wall = 0; wall < kMostWalls && walls.count < GhostWalls::kMost; ++wall) {

@@ -75,7 +75,9 @@ struct GhostWalls {
 
     const RayHit* begin() const { return hits.data(); }
     const RayHit* end() const { return hits.data() + count; }
-    bool hold(std::uint32_t ghost) const;
+    bool hold(std::uint32_t ghost) const {
+        return std::any_of(begin(), end(), [&](const RayHit& hit) { return hit.body == ghost; });
+    }
 };
 
 /// most: walls farther along the ray do not count.

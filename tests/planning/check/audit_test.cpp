@@ -13,9 +13,6 @@ BOOST_AUTO_TEST_SUITE(audit_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 using Fixture = testing::MotionWindow;
 
 PathAudit profiled(const og::PathGeometric& path, const MotionValidator& validator) {

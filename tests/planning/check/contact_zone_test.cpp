@@ -19,7 +19,6 @@ BOOST_AUTO_TEST_SUITE(contact_zone_test)
 
 namespace {
 
-namespace ob = ompl::base;
 using planning::MotionReport;
 using planning::MotionVerdict;
 

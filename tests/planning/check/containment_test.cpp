@@ -15,7 +15,6 @@ BOOST_AUTO_TEST_SUITE(containment_test)
 
 namespace {
 
-namespace ob = ompl::base;
 using planning::MotionReport;
 using planning::MotionVerdict;
 

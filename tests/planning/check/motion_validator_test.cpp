@@ -16,8 +16,6 @@ BOOST_AUTO_TEST_SUITE(motion_validator_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 using Fixture = testing::MotionWindow;
 using testing::withLeastInterval;
 

@@ -26,8 +26,6 @@ BOOST_AUTO_TEST_SUITE(motion_validator_use_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 using Fixture = testing::MotionWindow;
 using testing::withLeastInterval;
 

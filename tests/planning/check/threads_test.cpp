@@ -35,8 +35,6 @@ BOOST_AUTO_TEST_SUITE(threads_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 constexpr int kThreads = 8;
 
 void inThreads(const std::function<void(int thread)>& work) {
@@ -232,7 +230,7 @@ void planWith(const std::string& name, const Parameters& parameters, bool hasObj
     planner->setup();
     planner->solve(ob::timedPlannerTerminationCondition(20));
     BOOST_TEST_REQUIRE(definition->hasExactSolution(), name);
-    auto& states = definition->getSolutionPath()->as<ompl::geometric::PathGeometric>()->getStates();
+    auto& states = definition->getSolutionPath()->as<og::PathGeometric>()->getStates();
     for (std::size_t i = 1; i < states.size(); ++i) {
         BOOST_TEST((validator->report(states[i - 1], states[i]).verdict == MotionVerdict::kValid), name);
     }

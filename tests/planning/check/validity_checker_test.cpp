@@ -23,7 +23,6 @@ BOOST_AUTO_TEST_SUITE(validity_checker_test)
 
 namespace {
 
-namespace ob = ompl::base;
 using testing::Random;
 
 struct Fixture {

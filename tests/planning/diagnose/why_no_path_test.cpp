@@ -157,8 +157,6 @@ BOOST_AUTO_TEST_CASE(a_planner_without_a_tree_from_the_goal_says_nothing_about_t
     BOOST_TEST(!why.isShutIn(why.goal));
 }
 
-namespace ob = ompl::base;
-
 double xOf(const ob::State* state) {
     return state->as<ob::SE3StateSpace::StateType>()->getX();
 }
@@ -193,7 +191,7 @@ WhyNoPath whyNotTo(const std::function<ob::GoalPtr(const ob::SpaceInformationPtr
     const auto definition = std::make_shared<ob::ProblemDefinition>(setup.si);
     definition->addStartState(setup.definition->getStartState(0));
     definition->setGoal(makeGoal(setup.si));
-    const auto planner = std::make_shared<ompl::geometric::RRT>(setup.si);
+    const auto planner = std::make_shared<og::RRT>(setup.si);
     planner->setRange(report.range);
     planner->setProblemDefinition(definition);
     planner->setup();

@@ -23,8 +23,6 @@ BOOST_AUTO_TEST_SUITE(elastic_band_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 using Fixture = testing::MotionWindow;
 
 /// Through the window, up and down, by 0.01 from its border.

@@ -28,9 +28,6 @@ BOOST_AUTO_TEST_SUITE(simplify_test, *boost::unit_test::fixture<SeededShortcuts>
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 using testing::MotionScene;
 
 SimplifyOptions withFloor(double floor) {

@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(unwind_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 using Fixture = testing::MotionWindow;
 
 /// In front of the wall, with turns to and fro about z by an angle.

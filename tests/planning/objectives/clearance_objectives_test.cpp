@@ -27,8 +27,6 @@ BOOST_AUTO_TEST_SUITE(clearance_objectives_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 using Fixture = testing::MotionWindow;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -191,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_path_costs_what_its_worst_motion_does_ends_included) {
     const Fixture f;
     const auto objective = std::make_shared<MinClearanceObjective>(f.si, f.window.scene);
     const auto start = f.at({-33, 0, 30}), between = f.at({-60, 0, 0}), goal = f.at({60, 0, 0});
-    ompl::geometric::PathGeometric path(f.si, start.get());
+    og::PathGeometric path(f.si, start.get());
     BOOST_TEST(path.cost(objective).value() == 1, boost::test_tools::tolerance(1e-9));
     path.append(between.get());
     path.append(goal.get());

@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(weighted_length_objectives_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 using Fixture = testing::MotionWindow;
 using Extra = std::function<double(double clearance)>;
 

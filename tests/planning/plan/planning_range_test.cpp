@@ -23,8 +23,6 @@ BOOST_AUTO_TEST_SUITE(planning_range_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 /// The wall with a window, and a second such wall far behind it.
 struct TwoWalls {
     explicit TwoWalls(double margin = 0) {

@@ -13,9 +13,6 @@ BOOST_AUTO_TEST_SUITE(other_paths_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 /// A straight path through the window, whose middle motion keeps little.
 struct Straight {
     Straight() : setup(makeSetup(window.problem, window.scene)), path(setup.getSpaceInformation()) {

@@ -21,8 +21,6 @@ BOOST_AUTO_TEST_SUITE(planners_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 ob::SpaceInformationPtr spaceInformation() {
     const Box bounds(Vector3(-1, -1, -1), Vector3(1, 1, 1));
     const auto si = std::make_shared<ob::SpaceInformation>(makeSpace(Space::kSe3, bounds, 1));
@@ -102,14 +100,14 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_set_and_a_wrong_one_refused) {
 
 BOOST_AUTO_TEST_CASE(rising_floor_ends_at_once_without_a_valid_start) {
     const testing::MotionWindow f;
-    const auto definition = std::make_shared<ompl::base::ProblemDefinition>(f.si);
+    const auto definition = std::make_shared<ob::ProblemDefinition>(f.si);
     definition->setStartAndGoalStates(f.at({0, 35, 0}), f.at({60, 0, 0}));
     const auto planner = makePlanner(f.si, "RisingFloor");
     planner->setProblemDefinition(definition);
     int asked = 0;
-    const ompl::base::PlannerTerminationCondition isSpent([&] { return ++asked > 100; });
-    const ompl::base::PlannerStatus status = planner->solve(isSpent);
-    BOOST_TEST((status == ompl::base::PlannerStatus::INVALID_START));
+    const ob::PlannerTerminationCondition isSpent([&] { return ++asked > 100; });
+    const ob::PlannerStatus status = planner->solve(isSpent);
+    BOOST_TEST((status == ob::PlannerStatus::INVALID_START));
     BOOST_TEST(asked <= 100);
 }
 

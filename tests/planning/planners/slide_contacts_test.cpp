@@ -19,7 +19,7 @@ struct Beside : Fixture {
     SceneClearance clearance{window.scene};
     PartMoves moves{*space, window.scene.part};
     SlideContacts contacts{*si, clearance, moves, kStandoff};
-    ompl::base::ScopedState<> next{space};
+    ob::ScopedState<> next{space};
 
     std::optional<bool> step(const Vector3& from, const Vector3& to) {
         return contacts.step(at(from).get(), at(to).get(), kReach, next.get());

@@ -22,8 +22,6 @@ BOOST_AUTO_TEST_SUITE(sliding_rrt_connect_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 using namespace clearway::testing;
 
 /// A problem as OMPL states it.

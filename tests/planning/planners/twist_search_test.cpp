@@ -25,8 +25,6 @@ BOOST_AUTO_TEST_SUITE(twist_search_test)
 
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
 using testing::AssembledProblem;
 using Outcome = PlanReport::Outcome;
 

@@ -20,8 +20,6 @@ BOOST_AUTO_TEST_SUITE(outside_goal_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 /// A goal for the window's plate, in a space with these bounds.
 struct Outdoors {
     Outdoors(Space theKind, const Box& bounds, const Outside& outside, double margin = 0)

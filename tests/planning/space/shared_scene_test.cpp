@@ -16,8 +16,6 @@ BOOST_AUTO_TEST_SUITE(shared_scene_test)
 
 namespace {
 
-namespace ob = ompl::base;
-
 /// Checks and costs of random motions, by turns.
 struct Answers {
     std::vector<bool> verdicts;

@@ -34,8 +34,6 @@ BOOST_AUTO_TEST_SUITE(valid_state_samplers_test, *boost::unit_test::fixture<Seed
 
 namespace {
 
-namespace ob = ompl::base;
-
 using Fixture = testing::MotionWindow;
 
 /// States from the sampler, each checked to be valid.
