@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -144,10 +143,9 @@ void useCertified(PlanSetup& setup, double clearance, const std::function<bool()
     MotionOptions motions = planningMotions(scene, clearance);
     motions.isStopped = isOver;
     if (clearance < *motions.leastInterval) {
-        std::ostringstream warning;
-        warning << "start or goal have only " << withUnit(roundedNumber(clearance), scene.unit)
-                << " to spare: motions next to them may be too close to be certified";
-        report.warnings.push_back(warning.str());
+        report.warnings.push_back("start or goal have only " +
+                                  withUnit(roundedNumber(clearance), scene.unit) +
+                                  " to spare: motions next to them may be too close to be certified");
     }
     setup.certified = std::make_shared<MotionValidator>(setup.si, setup.checker->shared(), motions);
     setup.si->setMotionValidator(setup.certified);

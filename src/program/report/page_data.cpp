@@ -1,8 +1,9 @@
 #include "program/report/page_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -42,16 +43,8 @@ template <class Vector>
 std::string exactText(const Vector& values) {
     std::string text;
     for (const double value : values) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%s%.17g", text.empty() ? "" : " ", value);
-        text += number;
+        text += fmt::format("{}{:.17g}", text.empty() ? "" : " ", value);
     }
-    return text;
-}
-
-std::string shortly(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
     return text;
 }
 
@@ -115,14 +108,13 @@ FloatJson colourScale() {
 
 std::string noteOn(const char* what, const PageMesh& page, std::size_t all, const std::string& unit) {
     const std::size_t shown = page.triangles.size();
-    std::string text = std::string("The ") + what + " is drawn with " +
-                       (shown >= all ? "all of its " : std::to_string(shown) + " of its ") +
-                       std::to_string(all) + (shown >= all ? " triangles" : "") + ", each vertex within " +
-                       shortly(page.error) + unit + " of its place";
-    if (page.edges.size() < page.allEdges)
-        text += ", and the longest " + std::to_string(page.edges.size()) + " of its " +
-                std::to_string(page.allEdges) + " sharp edges";
-    return text + ". ";
+    const std::string few =
+        page.edges.size() < page.allEdges
+            ? fmt::format(", and the longest {} of its {} sharp edges", page.edges.size(), page.allEdges)
+            : "";
+    return fmt::format("The {} is drawn with {} of its {}{}, each vertex within {:.3g}{} of its place{}. ",
+                       what, shown >= all ? "all" : std::to_string(shown), all,
+                       shown >= all ? " triangles" : "", page.error, unit, few);
 }
 
 render::Surface surfaceOf(const PageMesh& mesh, const Vector3& origin) {

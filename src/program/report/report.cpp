@@ -1,8 +1,9 @@
 #include "program/report/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <string_view>
 
@@ -56,10 +57,7 @@ std::string filled(std::string_view page, const Places& places) {
 
 /// Rounds towards zero, so that a certified clearance is never rounded up.
 std::string shortened(double value) {
-    if (!std::isfinite(value)) return "-";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", towardsZero(value, 4));
-    return text;
+    return std::isfinite(value) ? fmt::format("{:.4g}", towardsZero(value, 4)) : "-";
 }
 
 std::string verdictOf(const planning::SegmentAudit& segment) {
