@@ -11,8 +11,7 @@
 #include "core/number.h"
 #include "core/replace_file.h"
 #include "support/anytime_planner.h"
-#include "support/gates_scene.h"
-#include "support/posts_scene.h"
+#include "support/planar_scenes.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing::anytime_clearance {

@@ -7,7 +7,7 @@
 #include "demos/study/recorder.h"
 #include "planning/space/ompl_states.h"
 #include "program/bench/planner_run.h"
-#include "support/gates_scene.h"
+#include "support/planar_scenes.h"
 #include "support/processor_time.h"
 #include "support/window_scene.h"
 

@@ -25,8 +25,8 @@
 #include "clearway/planning/planners.h"
 #include "planning/space/ompl_states.h"
 #include "support/door_scene.h"
-#include "support/gates_scene.h"
 #include "support/motion_window.h"
+#include "support/planar_scenes.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(messages_come_to_those_who_live_in_whatever_order_they_end)
 
 /// Each thread begins before the one before it ends, and ends after it.
 BOOST_AUTO_TEST_CASE(plans_checks_and_explanations_may_overlap_in_time) {
-    const testing::GatesScene gates = testing::gatesScene();
+    const testing::PlanarScene gates = testing::gatesScene();
     const testing::DoorScene door = testing::doorScene();
     const auto load = [&](const Problem& problem) {
         const ObstacleGroups obstacles = groupObstacles({door.box}, 0, problem.rules);

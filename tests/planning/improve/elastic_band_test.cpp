@@ -13,8 +13,8 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/problem_setup.h"
-#include "support/gates_scene.h"
 #include "support/motion_window.h"
+#include "support/planar_scenes.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {

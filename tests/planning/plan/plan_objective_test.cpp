@@ -4,9 +4,9 @@
 #include "clearway/planning/objectives.h"
 #include "clearway/planning/plan.h"
 #include "planning/plan/plan_setup.h"
-#include "support/gates_scene.h"
 #include "support/oracle.h"
 #include "support/path_check.h"
+#include "support/planar_scenes.h"
 #include "support/processor_time.h"
 #include "support/words.h"
 

@@ -10,9 +10,9 @@
 
 #include "clearway/planning/audit.h"
 #include "clearway/planning/clearance_objectives.h"
-#include "support/gates_scene.h"
 #include "support/invalid_words.h"
 #include "support/ompl_log.h"
+#include "support/planar_scenes.h"
 #include "support/temporary_folder.h"
 #include "support/window_scene.h"
 #include "support/words.h"
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_setup_has_the_problems_bounds_and_ends_and_the_scenes_m
 }
 
 BOOST_AUTO_TEST_CASE(a_planner_in_the_setup_finds_a_path_that_an_audit_certifies) {
-    const GatesScene gates = gatesScene();
+    const PlanarScene gates = gatesScene();
     const OmplLog quiet;
     og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
     setup.setPlanner(std::make_shared<og::RRTConnect>(setup.getSpaceInformation()));

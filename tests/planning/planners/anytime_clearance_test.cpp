@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "support/anytime_planner.h"
-#include "support/gates_scene.h"
-#include "support/posts_scene.h"
+#include "support/planar_scenes.h"
 
 namespace clearway::testing {
 
@@ -86,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_rising_floor_improves_and_beats_a_first_path) {
 }
 
 double fmtCost(int samples, const std::string& objective) {
-    const PostsScene posts = postsScene();
+    const PlanarScene posts = postsScene();
     double sum = 0;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
         AnytimePlanner planner(posts.problem, posts.scene, "FMT", {{"num_samples", std::to_string(samples)}},

@@ -21,7 +21,7 @@
 #include "clearway/planning/validity_checker.h"
 #include "planning/improve/kept_clearance.h"
 #include "planning/improve/unwind.h"
-#include "support/gates_scene.h"
+#include "support/planar_scenes.h"
 #include "support/processor_time.h"
 
 namespace clearway::planning {
@@ -53,7 +53,7 @@ struct Gates {
         planner.setRange(60);
     }
 
-    testing::GatesScene gates = testing::gatesScene();
+    testing::PlanarScene gates = testing::gatesScene();
     og::SimpleSetup setup;
     RisingFloor planner;
 };
@@ -136,7 +136,7 @@ BOOST_FIXTURE_TEST_CASE(the_clearance_told_while_it_plans_never_falls_and_its_da
 }
 
 BOOST_AUTO_TEST_CASE(without_a_path_it_goes_on_with_the_trees_that_it_has) {
-    testing::GatesScene gates = testing::gatesScene();
+    testing::PlanarScene gates = testing::gatesScene();
     gates.scene.obstacles.front().margin = testing::kWideGates + 1;
     og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
     setup.setup();
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(without_a_path_it_goes_on_with_the_trees_that_it_has) {
 
 /// No path of the first scene keeps the margin of the second.
 BOOST_AUTO_TEST_CASE(another_validity_checker_brings_another_scene) {
-    testing::GatesScene gates = testing::gatesScene();
+    testing::PlanarScene gates = testing::gatesScene();
     og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
     const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
     si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
@@ -200,7 +200,7 @@ BOOST_FIXTURE_TEST_CASE(a_goal_that_no_state_can_be_drawn_from_is_told_at_once, 
 
 /// A start with little room bounds the clearance. One with more is added, and the planner goes on.
 BOOST_AUTO_TEST_CASE(a_start_that_is_added_between_solves_gives_more_clearance) {
-    testing::GatesScene gates = testing::gatesScene();
+    testing::PlanarScene gates = testing::gatesScene();
     gates.problem.start.position = {-40, 0, 0};
     og::SimpleSetup setup = makeSetup(gates.problem, gates.scene);
     setup.setup();

@@ -12,8 +12,8 @@
 
 #include "clearway/planning/ompl_messages.h"
 #include "planning/planners/planner_team.h"
-#include "support/gates_scene.h"
 #include "support/motion_window.h"
+#include "support/planar_scenes.h"
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
@@ -65,7 +65,7 @@ Task windowTask() {
 }
 
 Task gatesTask() {
-    const GatesScene gates = gatesScene();
+    const PlanarScene gates = gatesScene();
     return Task(gates.problem, gates.scene, Box(Vector3(-100, -60, -1), Vector3(100, 60, 1)));
 }
 
