@@ -1,4 +1,5 @@
-// Plain values as bytes and back. A reader checks every length before it uses it.
+// Plain values as bytes and back. A reader checks every length before it uses it. A template that visits the fields of an object with a writer
+// writes them; with a reader it reads them.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "clearway/errors.h"
+#include "clearway/types.h"
 
 namespace clearway {
 
@@ -24,14 +26,29 @@ class ArchiveWriter {
         static_assert(std::is_arithmetic_v<T>);
         addBytes(&value, sizeof value);
     }
+    void add(bool value) { add(std::uint64_t(value)); }
+    void add(char value) { add(std::uint64_t(value)); }
     void add(const std::string& text) {
         add(std::uint64_t(text.size()));
         addBytes(text.data(), text.size());
     }
+    void add(const Vector3& vector) {
+        for (const double x : vector) add(x);
+    }
+    template <class... Fields>
+    void visit(const Fields&... fields) {
+        (add(fields), ...);
+    }
     template <class Vector>
-    void addArray(const Vector& values) {
+    void visitArray(const Vector& values) {
         add(std::uint64_t(values.size()));
         addBytes(values.data(), values.size() * sizeof(values[0]));
+    }
+    /// visit: called for each item. bytesEach: see ArchiveReader::readCount.
+    template <class Item, class Visit>
+    void visitEach(const std::vector<Item>& items, std::size_t /*bytesEach*/, const Visit& visit) {
+        add(std::uint64_t(items.size()));
+        for (const Item& item : items) visit(item);
     }
     const std::string& bytes() const { return bytes_; }
 
@@ -61,10 +78,19 @@ class ArchiveReader {
         readBytes(text.data(), text.size());
         return text;
     }
+    template <class... Fields>
+    void visit(Fields&... fields) {
+        (take(fields), ...);
+    }
     template <class Vector>
-    void readArray(Vector& values) {
+    void visitArray(Vector& values) {
         values.resize(readCount(sizeof(values[0])));
         readBytes(values.data(), values.size() * sizeof(values[0]));
+    }
+    template <class Item, class Visit>
+    void visitEach(std::vector<Item>& items, std::size_t bytesEach, const Visit& visit) {
+        items.resize(readCount(bytesEach));
+        for (Item& item : items) visit(item);
     }
     /// Reads a count and checks that the rest can hold that many items of at least bytesEach bytes.
     std::size_t readCount(std::size_t bytesEach) {
@@ -75,6 +101,16 @@ class ArchiveReader {
     bool isAtEnd() const { return rest_.empty(); }
 
   private:
+    template <class T>
+    void take(T& value) {
+        value = read<T>();
+    }
+    void take(bool& value) { value = read<std::uint64_t>() != 0; }
+    void take(char& value) { value = static_cast<char>(read<std::uint64_t>()); }
+    void take(std::string& text) { text = readText(); }
+    void take(Vector3& vector) {
+        for (double& x : vector) x = read<double>();
+    }
     void require(std::size_t bytes) const {
         if (bytes > rest_.size()) throw FileError("ends too early");
     }

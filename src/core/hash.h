@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "clearway/types.h"
+
 namespace clearway {
 
 /// 2^64 divided by the golden ratio, the step between states of splitmix64.
@@ -37,6 +39,14 @@ class Hash {
     void add(const std::string& text) {
         add(std::uint64_t(text.size()));
         add(text.data(), text.size());
+    }
+    void add(const Vector3& vector) {
+        for (const double x : vector) add(x);
+    }
+    /// As ArchiveWriter::visit.
+    template <class... Fields>
+    void visit(const Fields&... fields) {
+        (add(fields), ...);
     }
     template <class T>
     void addArray(const std::vector<T>& values) {

@@ -1,10 +1,13 @@
 // Models as files of the cache. Raise the version with every change of the payload and of the tree that a build makes from a given mesh and
 // options.
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <tuple>
+#include <type_traits>
 
 #include "clearway/errors.h"
 #include "clearway/model.h"
@@ -21,146 +24,48 @@ namespace {
 
 constexpr SavedKind kModel = {"model", 8};
 
-/// Out: an ArchiveWriter or a Hash.
-template <class Out>
-void addVector(Out& out, const Vector3& v) {
-    for (int k = 0; k < 3; ++k) out.add(v[k]);
+// Archive: an ArchiveWriter, an ArchiveReader, or for options and ranges a Hash.
+
+template <class Archive, class Options>
+void visitOptions(Archive& archive, Options& options) {
+    archive.visit(options.generalSplit, options.leafSplit, options.fit, options.leafSize, options.nodeWidth);
 }
 
-Vector3 readVector(ArchiveReader& in) {
-    Vector3 v;
-    for (int k = 0; k < 3; ++k) v[k] = in.read<double>();
-    return v;
+/// Range: an optional QueryRange.
+template <class Archive, class Range>
+void visitRange(Archive& archive, Range& range) {
+    std::uint64_t count = range.has_value();
+    archive.visit(count);
+    if (count == 0) return;
+    if constexpr (!std::is_const_v<Range>) range.emplace();
+    archive.visit(range->positions.min(), range->positions.max(), range->partRadius, range->cap);
 }
 
-template <class Out>
-void addOptions(Out& out, const BuildOptions& options) {
-    out.add(options.generalSplit);
-    out.add(options.leafSplit);
-    out.add(options.fit);
-    out.add(std::int32_t(options.leafSize));
-    out.add(std::int32_t(options.nodeWidth));
+template <class Archive, class Tree>
+void visitTree(Archive& archive, Tree& tree) {
+    archive.visit(tree.nodeWidth, tree.origin, tree.unitExponent, tree.radius);
+    std::apply([&](auto&... nodes) { (archive.visitArray(nodes), ...); }, tree.nodesByWidth);
+    archive.visitArray(tree.leafBlocks);
+    archive.visitArray(tree.vertices);
+    archive.visit(tree.box.min(), tree.box.max(), tree.radiusAboutMeshOrigin);
 }
 
-BuildOptions readOptions(ArchiveReader& in) {
-    BuildOptions options;
-    options.generalSplit = in.readText();
-    options.leafSplit = in.readText();
-    options.fit = in.readText();
-    options.leafSize = in.read<std::int32_t>();
-    options.nodeWidth = in.read<std::int32_t>();
-    return options;
-}
-
-template <class Out>
-void addRange(Out& out, const std::optional<QueryRange>& range) {
-    out.add(std::uint64_t(range.has_value()));
-    if (!range) return;
-    addVector(out, range->positions.min());
-    addVector(out, range->positions.max());
-    out.add(range->partRadius);
-    out.add(range->cap);
-}
-
-std::optional<QueryRange> readRange(ArchiveReader& in) {
-    if (in.read<std::uint64_t>() == 0) return std::nullopt;
-    QueryRange range;
-    const Vector3 low = readVector(in), high = readVector(in);
-    range.positions = Box(low, high);
-    range.partRadius = in.read<double>();
-    range.cap = in.read<double>();
-    return range;
-}
-
-void addTree(ArchiveWriter& out, const FlatTree& tree) {
-    out.add(std::int32_t(tree.nodeWidth));
-    addVector(out, tree.origin);
-    out.add(std::int32_t(tree.unitExponent));
-    out.add(tree.radius);
-    std::apply([&](const auto&... nodes) { (out.addArray(nodes), ...); }, tree.nodesByWidth);
-    out.addArray(tree.leafBlocks);
-    out.addArray(tree.vertices);
-    addVector(out, tree.box.min());
-    addVector(out, tree.box.max());
-    out.add(tree.radiusAboutMeshOrigin);
-}
-
-FlatTree readTree(ArchiveReader& in) {
-    FlatTree tree;
-    tree.nodeWidth = in.read<std::int32_t>();
-    tree.origin = readVector(in);
-    tree.unitExponent = in.read<std::int32_t>();
-    tree.unit = std::ldexp(1.0, tree.unitExponent);
-    tree.radius = in.read<float>();
-    std::apply([&](auto&... nodes) { (in.readArray(nodes), ...); }, tree.nodesByWidth);
-    in.readArray(tree.leafBlocks);
-    in.readArray(tree.vertices);
-    const Vector3 low = readVector(in), high = readVector(in);
-    tree.box = Box(low, high);
-    tree.radiusAboutMeshOrigin = in.read<double>();
-    return tree;
-}
-
-void addRest(ArchiveWriter& out, const BuildReport& report, const std::vector<Component>& components,
-             const MeshOrigin& origin) {
-    for (const std::size_t count : {report.clean.weldedVertices, report.clean.unusedVertices,
-                                    report.clean.degenerateTriangles, report.clean.duplicateTriangles}) {
-        out.add(std::uint64_t(count));
-    }
-    out.add(std::uint64_t(report.unreachableTriangles));
-    out.add(report.seconds);
-    out.add(std::uint64_t(components.size()));
-    for (const Component& component : components) {
-        out.add(component.name);
-        out.add(component.firstTriangle);
-        out.add(component.triangleCount);
-    }
-    out.add(origin.file);
-    out.add(origin.scale);
-    addVector(out, origin.shift);
-    out.add(origin.format);
-    out.add(std::uint64_t(origin.isChecked));
-    out.add(origin.unitMetres);
-    out.add(std::uint64_t(origin.upAxis));
-    out.add(std::uint64_t(origin.ignoredFaces));
-    out.add(std::uint64_t(origin.crossingFaces));
-    out.add(std::uint64_t(origin.bentFaces));
-    out.add(origin.bentBy);
-    for (const std::vector<std::string>* const lines : {&origin.warnings, &origin.notes}) {
-        out.add(std::uint64_t(lines->size()));
-        for (const std::string& line : *lines) out.add(line);
-    }
-}
-
-void readRest(ArchiveReader& in, BuildReport& report, std::vector<Component>& components,
-              MeshOrigin& origin) {
-    for (std::size_t* count : {&report.clean.weldedVertices, &report.clean.unusedVertices,
-                               &report.clean.degenerateTriangles, &report.clean.duplicateTriangles}) {
-        *count = in.read<std::uint64_t>();
-    }
-    report.unreachableTriangles = in.read<std::uint64_t>();
-    report.seconds = in.read<double>();
-    components.resize(in.readCount(16));
-    for (Component& component : components) {
-        component.name = in.readText();
-        component.firstTriangle = in.read<std::uint32_t>();
-        component.triangleCount = in.read<std::uint32_t>();
-    }
-    origin.file = in.readText();
-    origin.scale = in.read<double>();
-    origin.shift = readVector(in);
-    origin.format = in.readText();
-    origin.isChecked = in.read<std::uint64_t>() != 0;
-    origin.unitMetres = in.read<double>();
-    origin.upAxis = static_cast<char>(in.read<std::uint64_t>());
-    origin.ignoredFaces = in.read<std::uint64_t>();
-    origin.crossingFaces = in.read<std::uint64_t>();
-    origin.bentFaces = in.read<std::uint64_t>();
-    origin.bentBy = in.read<double>();
-    for (std::vector<std::string>* const lines : {&origin.warnings, &origin.notes}) {
-        lines->resize(in.readCount(8));
-        for (std::string& line : *lines) line = in.readText();
-    }
+template <class Archive, class Data>
+void visitModel(Archive& archive, Data& data) {
+    visitOptions(archive, data.report.options);
+    visitRange(archive, data.range);
+    visitTree(archive, data.tree);
+    auto& clean = data.report.clean;
+    archive.visit(clean.weldedVertices, clean.unusedVertices, clean.degenerateTriangles,
+                  clean.duplicateTriangles, data.report.unreachableTriangles, data.report.seconds);
+    archive.visitEach(data.components, 16, [&](auto& component) {
+        archive.visit(component.name, component.firstTriangle, component.triangleCount);
+    });
+    auto& origin = data.origin;
+    archive.visit(origin.file, origin.scale, origin.shift, origin.format, origin.isChecked, origin.unitMetres,
+                  origin.upAxis, origin.ignoredFaces, origin.crossingFaces, origin.bentFaces, origin.bentBy);
+    for (auto* const lines : {&origin.warnings, &origin.notes})
+        archive.visitEach(*lines, 8, [&](auto& line) { archive.visit(line); });
 }
 
 std::size_t trianglesOf(const TreeStatistics& tree) {
@@ -190,8 +95,8 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
                        const std::optional<QueryRange>& range) {
     Hash out;
     out.add(kModel.version);
-    addOptions(out, options);
-    addRange(out, range);
+    visitOptions(out, options);
+    visitRange(out, range);
     out.addArray(mesh.vertices);
     out.addArray(mesh.triangles);
     for (const Component& component : mesh.components) {
@@ -204,10 +109,7 @@ std::uint64_t modelKey(const Mesh& mesh, const BuildOptions& options,
 
 void Model::save(const std::string& file) const {
     ArchiveWriter payload;
-    addOptions(payload, data_->report.options);
-    addRange(payload, data_->range);
-    addTree(payload, data_->tree);
-    addRest(payload, data_->report, data_->components, data_->origin);
+    visitModel(payload, *data_);
     writeSavedFile(file, kModel, data_->key, payload);
 }
 
@@ -217,10 +119,8 @@ Model Model::load(const std::string& file) {
     data->key = saved.key;
     try {
         ArchiveReader in(saved.payload());
-        data->report.options = readOptions(in);
-        data->range = readRange(in);
-        data->tree = readTree(in);
-        readRest(in, data->report, data->components, data->origin);
+        visitModel(in, *data);
+        data->tree.unit = std::ldexp(1.0, data->tree.unitExponent);
         const std::int64_t triangles = trianglesOf(data->components);
         if (!in.isAtEnd() || triangles < 0) throw FileError("has parts that do not fit together");
         const std::string fault = faultOf(data->tree, std::size_t(triangles));

@@ -30,21 +30,16 @@ std::uint64_t keyOf(const Mesh& part, double overlap) {
     return out.value();
 }
 
-void save(const ShrunkPart& shrunk, const std::string& file, std::uint64_t key) {
-    ArchiveWriter payload;
-    payload.addArray(shrunk.mesh.vertices);
-    payload.addArray(shrunk.mesh.triangles);
-    payload.add(std::uint64_t(shrunk.mesh.components.size()));
-    for (const Component& component : shrunk.mesh.components) {
-        payload.add(component.name);
-        payload.add(component.firstTriangle);
-        payload.add(component.triangleCount);
-    }
-    payload.addArray(shrunk.partTriangles);
-    payload.add(std::uint64_t(shrunk.thin.count));
-    payload.add(shrunk.thin.leastOverlap);
-    for (int k = 0; k < 3; ++k) payload.add(shrunk.thin.at[k]);
-    writeSavedFile(file, kShrunkPart, key, payload);
+/// Archive: an ArchiveWriter or an ArchiveReader.
+template <class Archive, class Shrunk>
+void visitShrunk(Archive& archive, Shrunk& shrunk) {
+    archive.visitArray(shrunk.mesh.vertices);
+    archive.visitArray(shrunk.mesh.triangles);
+    archive.visitEach(shrunk.mesh.components, 16, [&](auto& component) {
+        archive.visit(component.name, component.firstTriangle, component.triangleCount);
+    });
+    archive.visitArray(shrunk.partTriangles);
+    archive.visit(shrunk.thin.count, shrunk.thin.leastOverlap, shrunk.thin.at);
 }
 
 /// Throws FileError.
@@ -55,18 +50,7 @@ ShrunkPart load(const std::string& file, std::uint64_t key, const Mesh& part, do
     ShrunkPart shrunk;
     try {
         ArchiveReader in(saved.payload());
-        in.readArray(shrunk.mesh.vertices);
-        in.readArray(shrunk.mesh.triangles);
-        shrunk.mesh.components.resize(in.readCount(16));
-        for (Component& component : shrunk.mesh.components) {
-            component.name = in.readText();
-            component.firstTriangle = in.read<std::uint32_t>();
-            component.triangleCount = in.read<std::uint32_t>();
-        }
-        in.readArray(shrunk.partTriangles);
-        shrunk.thin.count = in.read<std::uint64_t>();
-        shrunk.thin.leastOverlap = in.read<double>();
-        for (int k = 0; k < 3; ++k) shrunk.thin.at[k] = in.read<double>();
+        visitShrunk(in, shrunk);
         bool fits = in.isAtEnd() && shrunk.partTriangles.size() == shrunk.mesh.triangles.size() &&
                     shrunk.mesh.components.size() == componentsOf(part).size();
         for (const std::uint32_t triangle : shrunk.partTriangles)
@@ -99,7 +83,9 @@ CachedShrunkPart shrinkCached(const Mesh& part, const ShrinkOptions& options, co
     cached.part = shrink(part, options);
     try {
         makeFolder(folder);
-        save(cached.part, file.string(), key);
+        ArchiveWriter payload;
+        visitShrunk(payload, cached.part);
+        writeSavedFile(file.string(), kShrunkPart, key, payload);
     } catch (const std::runtime_error& error) {
         cached.isKept = false;
         cached.warning +=

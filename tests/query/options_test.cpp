@@ -127,20 +127,24 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
     }
 }
 
+/// Checks that distance, collides and isWithin refuse the models at the pose with all the words.
+void requireEachRefuses(const Model& part, const Model& environment, const Pose& pose,
+                        const std::vector<std::string>& words) {
+    Workspace workspace;
+    requireRefusedBy([&] { distance(part, environment, pose, {}, workspace); }, words);
+    requireRefusedBy([&] { collides(part, environment, pose, workspace); }, words);
+    requireRefusedBy([&] { isWithin(part, environment, pose, 1, workspace); }, words);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_rotation_is_refused_by_every_query) {
     const ModelPair models = buildPair(queryCases()[3]);
-    Workspace workspace;
     Pose larger, mirrored, notANumber, farAway;
     larger.rotation *= 1 + 1e-9;
     mirrored.rotation(2, 2) = -1;
     notANumber.rotation(0, 1) = kNaN;
     farAway.translation.x() = kInfinity;
-    for (const Pose& pose : {larger, mirrored, notANumber, farAway}) {
-        const std::vector<std::string> words = {"rotation", "expected"};
-        requireRefusedBy([&] { distance(models.part, models.environment, pose, {}, workspace); }, words);
-        requireRefusedBy([&] { collides(models.part, models.environment, pose, workspace); }, words);
-        requireRefusedBy([&] { isWithin(models.part, models.environment, pose, 1, workspace); }, words);
-    }
+    for (const Pose& pose : {larger, mirrored, notANumber, farAway})
+        requireEachRefuses(models.part, models.environment, pose, {"rotation", "expected"});
 }
 
 BOOST_DATA_TEST_CASE(sizes_too_far_apart_are_refused_by_every_query, eachTarget() * eachWidth(), target,
@@ -159,11 +163,7 @@ BOOST_DATA_TEST_CASE(sizes_too_far_apart_are_refused_by_every_query, eachTarget(
                               queryCase.answers[0]);
                 continue;
             }
-            const Model &a = part, &b = environment;
-            const std::vector<std::string> words = {"the sizes", "expected 2^-60 to 2^60"};
-            requireRefusedBy([&] { distance(a, b, Pose{}, {}, workspace); }, words);
-            requireRefusedBy([&] { collides(a, b, Pose{}, workspace); }, words);
-            requireRefusedBy([&] { isWithin(a, b, Pose{}, 1, workspace); }, words);
+            requireEachRefuses(part, environment, Pose{}, {"the sizes", "expected 2^-60 to 2^60"});
         }
     }
 }
@@ -172,15 +172,10 @@ BOOST_AUTO_TEST_CASE(a_way_too_long_for_the_sizes_is_refused_by_every_query) {
     const QueryCase& queryCase = queryCases()[3];
     const Model part = Model::build(scaledBy(queryCase.part, 0x1p-20));
     const Model environment = Model::build(scaledBy(queryCase.environment, 0x1p-20));
-    Workspace workspace;
     for (const double away : {1e20, 1e160, 9e297, 1e300, -1.7e308}) {
-        const Pose pose{Matrix3::Identity(), {0, away, away}};
-        const std::vector<std::string> words = {
-            std::abs(away) < 1e298 ? "the way between part and environment" : "the largest coordinate",
-            "expected"};
-        requireRefusedBy([&] { distance(part, environment, pose, {}, workspace); }, words);
-        requireRefusedBy([&] { collides(part, environment, pose, workspace); }, words);
-        requireRefusedBy([&] { isWithin(part, environment, pose, 1, workspace); }, words);
+        const std::string what =
+            std::abs(away) < 1e298 ? "the way between part and environment" : "the largest coordinate";
+        requireEachRefuses(part, environment, {Matrix3::Identity(), {0, away, away}}, {what, "expected"});
     }
 }
 
@@ -207,11 +202,7 @@ BOOST_AUTO_TEST_CASE(models_of_different_node_widths_are_refused) {
     const QueryCase& queryCase = queryCases()[3];
     const Model part = Model::build(queryCase.part, ofWidth(2));
     const Model environment = Model::build(queryCase.environment, ofWidth(8));
-    Workspace workspace;
-    const Pose& pose = queryCase.poses[0];
-    requireRefusedBy([&] { distance(part, environment, pose, {}, workspace); }, {"nodeWidth", "2", "8"});
-    requireRefusedBy([&] { collides(part, environment, pose, workspace); }, {"nodeWidth", "2", "8"});
-    requireRefusedBy([&] { isWithin(part, environment, pose, 1, workspace); }, {"nodeWidth", "2", "8"});
+    requireEachRefuses(part, environment, queryCase.poses[0], {"nodeWidth", "2", "8"});
 }
 
 BOOST_AUTO_TEST_CASE(a_workspace_serves_again_after_a_refusal) {
