@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/golden_section.h"
+
 namespace clearway::testing {
 
 namespace ob = ompl::base;
@@ -47,22 +49,6 @@ MotionSample MotionSamples::worst(double until) const {
         if (!sample.isValid) return sample;
     }
     return result;
-}
-
-/// Searches by golden section and returns the least value.
-template <class Function>
-double MotionSamples::searchLeast(const Function& valueAt, double middle, double step, double until) {
-    constexpr double kGolden = 0.6180339887498949;
-    constexpr int kSteps = 20;
-    double low = std::max(0.0, middle - step), high = std::min(until, middle + step);
-    double least = valueAt(middle);
-    for (int i = 0; i < kSteps; ++i) {
-        const double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-        const double atLeft = valueAt(left), atRight = valueAt(right);
-        (atLeft < atRight ? high : low) = atLeft < atRight ? right : left;
-        least = std::min({least, atLeft, atRight});
-    }
-    return least;
 }
 
 /// How far, in displacement, a pose is from the border. Within the doubt, validators cannot tell its side.

@@ -45,8 +45,6 @@ class MotionSamples {
 
   private:
     double fromBorder(const ContactZone& zone, double time);
-    template <class Function>
-    double searchLeast(const Function& valueAt, double middle, double step, double until);
 
     const CrowdedScene& scene_;
     const ompl::base::State *s1_, *s2_;

@@ -6,6 +6,7 @@
 #include "demos/scenes/scenes.h"
 #include "planning/space/ompl_states.h"
 #include "support/assembled_problems.h"
+#include "support/golden_section.h"
 #include "support/window_scene.h"
 
 namespace clearway::testing {
@@ -17,23 +18,6 @@ struct Found {
     double time, distance;
     bool operator<(const Found& other) const { return distance < other.distance; }
 };
-
-/// Searches by golden section. `distanceAt` records all distances.
-template <class Function>
-void searchLeast(const Function& distanceAt, double low, double high, int steps) {
-    constexpr double kGolden = 0.6180339887498949;
-    double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-    double atLeft = distanceAt(left), atRight = distanceAt(right);
-    for (int i = 0; i < steps; ++i) {
-        if (atLeft < atRight) {
-            high = right, right = left, atRight = atLeft;
-            left = high - kGolden * (high - low), atLeft = distanceAt(left);
-        } else {
-            low = left, left = right, atLeft = atRight;
-            right = low + kGolden * (high - low), atRight = distanceAt(right);
-        }
-    }
-}
 
 Box around(const std::vector<PartState>& path, double more) {
     Box box;
@@ -135,8 +119,7 @@ double MotionScene::leastTrueClearance(const ob::State* s1, const ob::State* s2,
     };
     for (int i = 0; i <= poses; ++i) distanceAt(until * i / poses);
     const double middle = std::min_element(found.begin(), found.end())->time;
-    const double gap = until / poses;
-    searchLeast(distanceAt, std::max(0.0, middle - gap), std::min(until, middle + gap), 30);
+    searchLeast(distanceAt, middle, until / poses, until);
     std::sort(found.begin(), found.end());
     double least = trueClearance(s1, s2, until);
     for (std::size_t i = 0; i < std::min(found.size(), static_cast<std::size_t>(judged)); ++i) {
