@@ -15,7 +15,6 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing::anytime_clearance {
-namespace {
 
 using Parameters = AnytimePlanner::Parameters;
 
@@ -122,8 +121,6 @@ void measure(const Place& place, std::uint32_t seed, double seconds, Table& tabl
     AnytimePlanner planner = plannerFor(first);
     table.add(place, first, seed, planner.planSeconds(seconds), planner);
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count < 4) {

@@ -27,7 +27,6 @@
 #include "planning/space/ompl_states.h"
 
 namespace clearway::testing::certified_motions {
-namespace {
 
 using planning::MotionValidator;
 
@@ -266,8 +265,6 @@ std::ofstream openTable(const std::string& file) {
                "visits_by_velocities,verdicts_lost,verdicts_gained\n";
     return out;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count != 4 && count != 6) {

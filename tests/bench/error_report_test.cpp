@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(error_report_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Mode modeWith(Mode::Says says, bool isQuery, const std::vector<Answer>& answers) {
@@ -32,8 +30,6 @@ ErrorReport reportOf(const ModeFigures& figures, std::size_t margins) {
     report.marginShares.resize(margins);
     return report;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(errors_and_widths_are_shares_of_the_scene) {
     const Mode mode =

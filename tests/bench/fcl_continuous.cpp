@@ -13,7 +13,6 @@
 #include "support/random_motion.h"
 
 namespace clearway::testing::fcl_continuous {
-namespace {
 
 namespace ob = ompl::base;
 
@@ -73,8 +72,6 @@ std::string judge(const MotionScene& scene, int motions, std::uint64_t seed) {
     if (all.back().missed > 0) throw std::logic_error("clearway called a colliding motion valid:\n" + rows);
     return rows;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count < 3) {

@@ -21,7 +21,6 @@
 #include "planning/space/ompl_states.h"
 
 namespace clearway::testing::fcl_first_path {
-namespace {
 
 using planning::MotionValidator;
 using planning::ValidityChecker;
@@ -165,8 +164,6 @@ std::vector<Series> findStep(const Bench& bench, std::uint32_t seeds) {
     }
     throw std::runtime_error("no step of those tried makes " + shortNumber(kEnough) + " of the paths free");
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count < 5) {

@@ -19,7 +19,6 @@
 #include "support/oracle.h"
 
 namespace clearway::testing::fcl_motions {
-namespace {
 
 constexpr double kRangePerFineness = 20;  // as in `clearway plan`
 constexpr int kPasses =
@@ -120,8 +119,6 @@ int settle(const std::vector<Edge>& edges, const Side& clearway, const Side& fcl
               << wrong << "\n";
     return wrong;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count < 4) {

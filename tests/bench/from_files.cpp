@@ -23,7 +23,6 @@
 #include "planning/space/ompl_states.h"
 
 namespace clearway::testing::from_files {
-namespace {
 
 constexpr double kRangePerFineness = 20, kRangePerDiagonal = 0.25;  // as in `clearway plan`
 constexpr const char* kClearway = "clearway";
@@ -113,8 +112,6 @@ int tellUsage() {
                  "       benchmarks from_files libraries\n";
     return 2;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     const std::string what = count > 1 ? words[1] : "";

@@ -17,7 +17,6 @@
 #include "core/number.h"
 
 namespace clearway::testing::growth {
-namespace {
 
 constexpr double kAgreement = 1e-9;  // share of the scene's size
 constexpr int kBuildRounds = 5;
@@ -197,8 +196,6 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
     if (motions.wrong() > 0) std::cout << motions.wrong() << " verdicts on motions are wrong\n";
     return rows[0].wrong;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     TaskChoices choices;

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(judge_test)
 
 using namespace clearway::testing;
 
-namespace {
-
 constexpr double kTolerance = 1e-6;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -42,8 +40,6 @@ std::vector<int> wrongOnly(std::size_t series) {
     wrong[series] = 1;
     return wrong;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(where_all_agree_nobody_is_wrong_and_the_referee_is_not_asked) {
     const Judgement judgement = Court().verdict();

@@ -19,7 +19,6 @@
 #include "support/triangle_distance.h"
 
 namespace clearway::testing::kernels {
-namespace {
 
 // Triangles have their centres in a cube of side 1, and their corners in a cube around the centre.
 constexpr double kHalfSide = 0.5;
@@ -292,8 +291,6 @@ cli::Reader numbers(std::vector<int>& to) {
             to.push_back(int(cli::integerFrom(word, 1, 1000000)));
     };
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     Choices choices;

@@ -20,7 +20,6 @@
 #include "core/clock.h"
 
 namespace clearway::testing::ladder {
-namespace {
 
 // Shares of the scene's size.
 constexpr double kDoubleError = 1e-12;
@@ -294,8 +293,6 @@ std::size_t measure(const BenchTask& task, const TaskChoices& choices, std::stri
     }
     return wrong;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     TaskChoices choices;

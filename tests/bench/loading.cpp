@@ -24,7 +24,6 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing::loading {
-namespace {
 
 struct Load {
     double seconds = 0, megabytes = 0;  ///< memory beyond that of the process before it
@@ -74,8 +73,6 @@ Load loadOnce(const std::string& file, bool byAssimp) {
     const Mesh mesh = read(file, byAssimp);
     return {secondsSince(begin), megabytesSoFar() - before, mesh.triangles.size()};
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     int triangles = 1'700'000, repetitions = 5, cpu = -1;

@@ -16,7 +16,6 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing::overlaps {
-namespace {
 
 constexpr int kSamples = 20000;  ///< points of the shrunk surface, by area
 constexpr double kShallow =
@@ -89,8 +88,6 @@ int writeProblems(const std::vector<AssembledProblem>& problems, const std::stri
     }
     return 0;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     const std::string what = count > 1 ? words[1] : "";

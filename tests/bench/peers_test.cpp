@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(peers_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 /// Whether the bodies collide at the pose and 2 away from it in all directions of the axes, or at none of these.
 bool isAwayFromContact(const MeshOracle& oracle, const Pose& pose) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -26,8 +24,6 @@ bool isAwayFromContact(const MeshOracle& oracle, const Pose& pose) {
     }
     return true;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_peer_answers_as_the_oracle_away_from_contact) {
     constexpr unsigned kSeed = 5;

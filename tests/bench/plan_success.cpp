@@ -18,7 +18,6 @@
 #include "support/path_check.h"
 
 namespace clearway::testing::plan_success {
-namespace {
 
 using planning::PlanOptions;
 using planning::PlanReport;
@@ -132,8 +131,6 @@ std::vector<Run> planAll(const Choices& choices, const std::string& file, const 
     }
     return runs;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     Choices choices;

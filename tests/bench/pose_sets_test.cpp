@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(pose_sets_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 const int kPoses = inForm(100, 40);
 constexpr std::uint64_t kSeed = 7;
 
@@ -33,8 +31,6 @@ BenchTask smallTask(const std::string& name, std::uint64_t seed = kSeed) {
 bool areEqual(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(poses_collide_or_are_free_as_promised_by_the_oracle,
                      boost::unit_test::data::make(sceneNames()), name) {

@@ -14,7 +14,6 @@
 #include "program/options/shared_options.h"
 
 namespace clearway::testing::queries {
-namespace {
 
 using cli::integer, cli::nonNegative, cli::to;
 
@@ -123,8 +122,6 @@ int run(const BenchChoices& choices) {
     }
     return wrong == 0 ? 0 : 1;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     const auto choices = readOptions(count, words);

@@ -11,14 +11,11 @@
 #include "core/replace_file.h"
 
 namespace clearway::testing::samplers {
-namespace {
 
 using planning::PlanReport;
 
 const std::vector<std::string> kSamplers = {"uniform", "gaussian", "bridge_test", "contact_normal",
                                             "narrow_gap"};
-
-}  // namespace
 
 int run(int count, char** words) {
     if (count < 5) {

@@ -10,7 +10,6 @@
 #include "clearway/targets.h"
 
 namespace clearway::testing::speed_error {
-namespace {
 
 const std::vector<double> kMarginShares = {0, 1e-6, 1e-3};  // shares of the scene's size
 
@@ -101,8 +100,6 @@ int run(const ErrorChoices& choices) {
     }
     return wrong == 0 ? 0 : 1;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     const auto choices = readOptions(count, words);

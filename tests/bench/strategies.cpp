@@ -13,7 +13,6 @@
 #include "core/clock.h"
 
 namespace clearway::testing::strategies {
-namespace {
 
 constexpr double kAgreement = 1e-9;  // share of the scene's size
 
@@ -99,8 +98,6 @@ std::size_t measure(const BenchTask& task, const Schedule& schedule, std::string
     if (different > 0) std::cout << task.name << ": " << different << " answers differ\n";
     return different;
 }
-
-}  // namespace
 
 int run(int count, char** words) {
     TaskChoices choices;

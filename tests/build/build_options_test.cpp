@@ -6,10 +6,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(build_options_test)
-
-namespace {
 
 std::string refusal(const BuildOptions& options) {
     return testing::refusalBy([&] { requireBuildOptions(options); });
@@ -67,7 +64,5 @@ BOOST_AUTO_TEST_CASE(the_deprecated_presets_are_the_default_options) {
 }
 #pragma GCC diagnostic pop
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

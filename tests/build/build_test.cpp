@@ -14,10 +14,7 @@
 #include "support/full_run.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(build_test)
-
-namespace {
 
 namespace data = boost::unit_test::data;
 
@@ -144,7 +141,5 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_a_root_volume_over_one_leaf) {
     BOOST_TEST(tree.triangleId({0, 0}) == 7u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(collapse_test)
-
-namespace {
 
 /// A binary tree of random shape over single triangles, with random areas that shrink from parent to child.
 BinaryTree randomTree(Random& random, int leaves) {
@@ -157,7 +154,5 @@ BOOST_AUTO_TEST_CASE(trees_without_extent_and_of_any_scale_collapse) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(fit_volumes_test)
-
-namespace {
 
 constexpr double kFloatRounding = 1e-4;  // relative: frames are compared, and volumes stored, in float
 constexpr double kAreaRounding = 1e-5;   // of the mesh's size squared: a radius stored too large by rounding
@@ -197,7 +194,5 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_fitted_flat) {
     BOOST_TEST(fittedLanes(mesh, "frames")[0].volume.radius < 1e-6);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

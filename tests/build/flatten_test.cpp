@@ -10,10 +10,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(flatten_test)
-
-namespace {
 
 CleanMesh rowOfTriangles() {
     std::vector<Corners> triangles;
@@ -107,7 +104,5 @@ BOOST_AUTO_TEST_CASE(another_width_is_refused) {
     requireRefusedBy([&] { flatten(binary, mesh, 3); }, {"nodeWidth is 3, expected one of 8, 2"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

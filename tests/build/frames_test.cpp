@@ -7,10 +7,7 @@
 #include "build/frames-inl.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(frames_test)
-
-namespace {
 
 namespace simd = HWY_NAMESPACE;
 
@@ -146,7 +143,5 @@ BOOST_AUTO_TEST_CASE(without_spread_the_frame_is_the_models) {
     BOOST_TEST((frames.axes(1) == kModelAxes));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -13,10 +13,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(leaf_centre_test)
-
-namespace {
 
 std::vector<Corners> changed(std::vector<Corners> triangles, const std::function<double(double)>& change) {
     for (Corners& corners : triangles) {
@@ -167,7 +164,5 @@ BOOST_AUTO_TEST_CASE(a_centre_is_near_the_middle) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

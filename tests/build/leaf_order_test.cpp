@@ -7,10 +7,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(leaf_order_test)
-
-namespace {
 
 using Point = std::array<double, 3>;
 
@@ -48,7 +45,5 @@ BOOST_AUTO_TEST_CASE(each_run_has_its_vertices_and_a_short_one_has_each_once) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(reinsertion_test)
-
-namespace {
 
 BinaryTree treeOf(const CleanMesh& mesh, GeneralSplit split) {
     std::vector<std::uint32_t> all(mesh.triangles.size());
@@ -91,7 +88,5 @@ BOOST_AUTO_TEST_CASE(what_lies_apart_is_parted) {
     BOOST_TEST(mixed == 1);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

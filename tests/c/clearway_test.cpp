@@ -21,8 +21,6 @@ using namespace clearway;
 using namespace clearway::testing;
 using namespace clearway::testing::c;
 
-namespace {
-
 /// Expects that the call fails with the text with which the C++ function throws an Exception.
 template <class Exception>
 void expectWordsOfCpp(clearway_status status, const std::function<void()>& inCpp) {
@@ -60,8 +58,6 @@ void checkEqual(const clearway_distance_result& found, const DistanceResult& exp
     BOOST_TEST(found.part_triangle == expected.witness->partTriangle);
     BOOST_TEST(found.environment_triangle == expected.witness->environmentTriangle);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(answers_are_those_of_cpp_to_the_last_digit) {
     int contacts = 0, apart = 0;

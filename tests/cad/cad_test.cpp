@@ -14,10 +14,7 @@
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(cad_test)
-
-namespace {
 
 const std::string kCad = CLEARWAY_CAD_PROGRAM;
 
@@ -52,8 +49,6 @@ gp_Trsf moved(double x, double y, double z) {
     result.SetTranslation(gp_Vec(x, y, z));
     return result;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(solids_come_back_closed_with_name_volume_unit_and_deflection) {
     std::vector<NamedSolid> solids = curvedSolids();
@@ -210,5 +205,4 @@ BOOST_AUTO_TEST_CASE(init_calls_the_program_and_goes_on_with_what_it_made) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -12,10 +12,7 @@
 #include "mesh/topology.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(deflection_test)
-
-namespace {
 
 constexpr int kPoints = 40000;  ///< on each solid
 
@@ -34,8 +31,6 @@ double farthest(const TopoDS_Shape& shape, const Mesh& mesh) {
     }
     return most;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(points_on_the_surface_are_near_the_triangles) {
     std::printf(
@@ -60,5 +55,4 @@ BOOST_AUTO_TEST_CASE(points_on_the_surface_are_near_the_triangles) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

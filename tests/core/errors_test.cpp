@@ -20,10 +20,7 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(errors_test)
-
-namespace {
 
 struct Call {
     const char* what;
@@ -117,7 +114,5 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_used_is_a_file_error) {
     });
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

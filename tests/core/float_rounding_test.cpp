@@ -4,8 +4,6 @@
 
 BOOST_AUTO_TEST_SUITE(float_rounding_test)
 
-namespace {
-
 // The compiler does not know these values, so that it cannot compute the answers itself.
 volatile double unknown[4] = {0.1, 0.3, 3, 7};
 
@@ -26,8 +24,6 @@ bool isFloat(double value) {
     const volatile float rounded = static_cast<float>(value);
     return value == static_cast<double>(rounded);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(neighbouring_doubles_are_rounded_to_float) {
     double x[2] = {unknown[0], unknown[1]};

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(json_test)
 
 BOOST_AUTO_TEST_CASE(no_text_can_end_the_script_it_stands_in) {
@@ -39,5 +38,4 @@ BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_float_and_what_is_none_is_nul
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

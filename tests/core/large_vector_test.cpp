@@ -5,16 +5,11 @@
 #include <cstdint>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(large_vector_test)
-
-namespace {
 
 struct alignas(64) Line {
     std::uint64_t number;
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(memory_of_any_size_is_aligned_and_keeps_its_values_as_it_grows) {
     LargeVector<Line> lines;
@@ -37,5 +32,4 @@ BOOST_AUTO_TEST_CASE(memory_of_any_size_is_aligned_and_keeps_its_values_as_it_gr
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

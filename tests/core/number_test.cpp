@@ -7,7 +7,6 @@
 #include <random>
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(number_test)
 
 BOOST_AUTO_TEST_CASE(only_a_whole_finite_decimal_number_is_one) {
@@ -100,5 +99,4 @@ BOOST_AUTO_TEST_CASE(cut_numbers_are_bounds_of_any_value) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

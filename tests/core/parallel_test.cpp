@@ -45,5 +45,4 @@ BOOST_AUTO_TEST_CASE(a_process_forked_from_one_that_shared_work_works_alone) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -12,12 +12,8 @@ BOOST_AUTO_TEST_SUITE(pose_test)
 
 using namespace clearway;
 
-namespace {
-
 const Eigen::Quaterniond kTurn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
 const Vector3 kPlace(1, -2, 3.5);
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_isometry_and_its_pose_move_points_alike) {
     const Eigen::Isometry3d isometry = Eigen::Translation3d(kPlace) * kTurn;

@@ -20,13 +20,10 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(replace_file_test)
 
 using testing::readText;
 using testing::TemporaryFolder;
-
-namespace {
 
 std::string messageOf(const std::string& file) {
     return testing::refusalBy<std::runtime_error>(
@@ -51,8 +48,6 @@ std::string messageForUser(const std::string& file) {
     waitpid(child, nullptr, 0);
     return message;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_file_is_made_or_replaced_and_nothing_else_is_left) {
     const TemporaryFolder folder;
@@ -220,5 +215,4 @@ BOOST_AUTO_TEST_CASE(a_file_set_aside_never_overwrites_another) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -7,7 +7,6 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(text_test)
 
 using testing::TemporaryFolder;
@@ -79,5 +78,4 @@ BOOST_AUTO_TEST_CASE(a_misspelt_word_is_told_the_nearest_name_and_no_far_one) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

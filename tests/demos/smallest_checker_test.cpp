@@ -9,7 +9,6 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(smallest_checker_test)
 
 /// Returns the path that the demo prints; an empty one when its ten seconds are over.
@@ -52,5 +51,4 @@ BOOST_AUTO_TEST_CASE(the_readme_example_runs_and_its_path_keeps_clear) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -20,10 +20,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(stories_test)
-
-namespace {
 
 const std::string kGates = CLEARWAY_DATA_DIR "/gates/gates.cfg";
 const std::string kConsole = CLEARWAY_DATA_DIR "/tunnel-console-small/tunnel-console.cfg";
@@ -69,8 +66,6 @@ void requireClearance(double claimed, const std::string& problemFile, const std:
     const MeshOracle oracle(loadPart(problem), loadEnvironment(problem));
     BOOST_TEST(leastDistance(oracle, path, problem, 100) > claimed - 0.006);  // less printed digits
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(console_keeps_a_clearance_of_ten_and_comes_no_closer_than_it_says) {
     const TemporaryFolder folder;
@@ -284,5 +279,4 @@ BOOST_AUTO_TEST_CASE(the_runner_lists_every_demo_and_refuses_others) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -12,10 +12,7 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(wrist_angle_test)
-
-namespace {
 
 struct CarriageFixture {
     ob::ScopedState<> state(double x, double y, double yaw, double wrist) const {
@@ -42,8 +39,6 @@ struct CarriageFixture {
 };
 
 constexpr double kRounding = 1e-11;  // lengths are up to 300
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_moves_further_than_the_displacement_bound) {
     const CarriageFixture f;
@@ -133,5 +128,4 @@ BOOST_AUTO_TEST_CASE(the_demos_path_keeps_the_clearance_that_it_states) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(ball_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 11;
 
 struct Tracked {
@@ -36,8 +34,6 @@ Tracked draw(Random& random) {
                                      : std::ldexp(random.uniform(-1, 1), int(random.uniform(-60, 60)));
     return {Ball(value), Rational(value)};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_hold_the_exact_value_and_signs_are_right) {
     Random random(kSeed);

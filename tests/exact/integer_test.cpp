@@ -15,15 +15,11 @@ BOOST_AUTO_TEST_SUITE(integer_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 12;
 
 double drawAnySize(Random& random) {
     return std::ldexp(random.uniform(-1, 1), int(random.uniform(-1080, 1020)));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_double_is_a_whole_multiple_of_its_last_bit) {
     BOOST_TEST(lastBitOf(1) == 0);

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(ray_crossing_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 using Integer = boost::multiprecision::cpp_int;
 using Point = std::array<Integer, 3>;
 
@@ -62,8 +60,6 @@ double nearWhole(Random& random) {
 Vector3 nearGrid(Random& random) {
     return {nearWhole(random), nearWhole(random), nearWhole(random)};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_crossing_is_that_of_exact_arithmetic) {
     Random random(kSeed);

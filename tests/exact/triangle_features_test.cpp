@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(triangle_features_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 13;
 
 using Corners = std::array<Vector3, 3>;
@@ -84,8 +82,6 @@ Least<Number> leastOf(const Corners& a, const Corners& b) {
     TriangleFeatures<Number>(numbersOf(a), numbersOf(b)).visit(least);
     return least;
 }
-
-}  // namespace
 
 // On a coarse grid most triangles touch, lie in one plane, are parallel or have no area.
 BOOST_AUTO_TEST_CASE(triangles_on_a_grid_have_their_exact_distance) {

@@ -9,12 +9,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(bad_files_test)
 
 using namespace testing;
-
-namespace {
 
 constexpr MeshReading kReadings[] = {MeshReading::kAsStored, MeshReading::kOmplAppEnvironment,
                                      MeshReading::kOmplAppRobot, MeshReading::kOmplAppPlanarRobot};
@@ -211,7 +208,5 @@ BOOST_AUTO_TEST_CASE(files_that_hold_surfaces_are_named_whatever_their_ending) {
     BOOST_TEST(!holds(refusalOf(ifc), "holds surfaces"));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

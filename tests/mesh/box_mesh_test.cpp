@@ -9,7 +9,6 @@
 #include "support/convex_hull.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(box_mesh_test)
 
 BOOST_AUTO_TEST_CASE(a_box_is_closed_faces_outwards_and_fills_its_corners) {
@@ -36,5 +35,4 @@ BOOST_AUTO_TEST_CASE(a_box_that_is_none_is_refused_by_name) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -15,12 +15,9 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(clean_test)
 
 using testing::Random;
-
-namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -63,8 +60,6 @@ Mesh gridSoup(Random& random, int triangles) {
     }
     return mesh;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_sound_mesh_comes_through_unchanged) {
     const CleanMesh cleaned = clean(oneTriangle());
@@ -269,5 +264,4 @@ BOOST_AUTO_TEST_CASE(unshared_vertices_of_a_large_mesh_are_welded_without_quadra
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

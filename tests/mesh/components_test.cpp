@@ -3,12 +3,9 @@
 #include <boost/test/unit_test.hpp>
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(components_test)
 
 using Names = std::vector<std::string>;
-
-namespace {
 
 Names madeDistinct(const Names& names) {
     std::vector<Component> components;
@@ -18,8 +15,6 @@ Names madeDistinct(const Names& names) {
     for (const Component& component : components) distinct.push_back(component.name);
     return distinct;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(node_and_mesh_make_one_name) {
     BOOST_TEST(componentName("arm", "link") == "arm/link");
@@ -44,5 +39,4 @@ BOOST_AUTO_TEST_CASE(repeated_names_are_numbered_and_a_name_the_file_gives_is_ke
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

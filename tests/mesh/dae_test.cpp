@@ -6,12 +6,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(dae_test)
 
 using namespace testing;
-
-namespace {
 
 const std::string kShow = "<instance_geometry url=\"#shape\"/>";
 const std::string kInput = "<input semantic=\"VERTEX\" source=\"#corners\" offset=\"0\"/>";
@@ -90,8 +87,6 @@ std::string controlled(const std::string& controllers, const std::string& url) {
         url + "\"/></node>";
     return withLibrary(withNodes(nodes), "<library_controllers>" + controllers + "</library_controllers>");
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_kind_of_primitive_is_read) {
     const std::string other = "<input semantic=\"NORMAL\" source=\"#none\" offset=\"1\"/>";
@@ -245,5 +240,4 @@ BOOST_AUTO_TEST_CASE(a_unit_of_one_element_that_differs_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -6,20 +6,15 @@
 #include "support/random_meshes.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(degenerate_test)
 
 using testing::Random;
-
-namespace {
 
 /// A multiple of a direction of small whole numbers, exact in double.
 Vector3 onLine(Random& random, const Vector3& direction, int exponent) {
     const double mantissa = std::floor(random.uniform(-1, 1) * std::ldexp(1.0, 40)) + 0.5;
     return std::ldexp(mantissa, exponent - 40 + random.below(30)) * direction;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(three_points_on_a_line_are_degenerate_whatever_the_scale) {
     const Vector3 direction(3, -5, 7);
@@ -80,5 +75,4 @@ BOOST_AUTO_TEST_CASE(a_line_is_told_from_a_needle_of_one_unit_in_the_last_place)
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -11,12 +11,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(formats_test)
 
 using namespace testing;
-
-namespace {
 
 /// A file's ending, its contents and the names of its components.
 struct Written {
@@ -77,8 +74,6 @@ std::unique_ptr<aiScene> sceneOf(const Mesh& mesh) {
     scene->mRootNode->addChildren(1, &node);
     return scene;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_format_written_by_hand_brings_the_same_triangles_in_order) {
     const TemporaryFolder folder;
@@ -150,5 +145,4 @@ BOOST_AUTO_TEST_CASE(gltf_1_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -9,12 +9,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(gltf_test)
 
 using namespace testing;
-
-namespace {
 
 template <typename Value>
 std::string packed(const std::vector<Value>& values) {
@@ -103,8 +100,6 @@ std::string glb(const std::string& json, const std::string& binary, std::uint32_
         word(text.size()) + "JSON" + text + word(binary.size()) + std::string("BIN\0", 4) + binary;
     return "glTF" + word(2) + word(12 + chunks.size()) + chunks.substr(0, chunks.size() - cut);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(coordinates_are_the_floats_of_the_file) {
     Gltf gltf;
@@ -319,5 +314,4 @@ BOOST_AUTO_TEST_CASE(deep_hierarchies_are_read) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -8,12 +8,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(load_test)
 
 using namespace testing;
-
-namespace {
 
 const std::string kShow = "<instance_geometry url=\"#shape\"/>";
 
@@ -30,8 +27,6 @@ LoadOptions as(MeshReading reading) {
 }
 
 using Names = std::vector<std::string>;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(transforms_of_nested_nodes_are_applied) {
     const std::string nodes = "<node name=\"outer\">" + kQuarterTurn + kShow + "<node name=\"inner\">" +
@@ -167,5 +162,4 @@ BOOST_AUTO_TEST_CASE(the_unit_and_up_axis_of_a_collada_file_are_left_out_or_appl
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

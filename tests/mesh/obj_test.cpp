@@ -4,16 +4,11 @@
 #include "mesh/mesh_files.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(obj_test)
 
 using namespace testing;
 
-namespace {
-
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(faces_as_programs_write_them_are_read) {
     for (const std::string& text : std::vector<std::string>{
@@ -67,5 +62,4 @@ BOOST_AUTO_TEST_CASE(what_is_not_read_is_refused_by_its_line) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -4,16 +4,11 @@
 #include "mesh/mesh_files.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(off_test)
 
 using namespace testing;
 
-namespace {
-
 const std::string kSquare = "0.3 0 0\n1.3 0 0\n1.3 1 0\n0.3 1 0\n";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(files_as_programs_write_them_are_read) {
     for (const std::string& text : std::vector<std::string>{
@@ -56,5 +51,4 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused_by_its_line) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -12,12 +12,9 @@
 // A mesh read as OMPL.app reads it has the floats that OMPL.app passes to its checker. The test computes
 // these floats directly: assimp's defaults, OMPL.app's steps, one recursion.
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(ompl_app_reading_test)
 
 using namespace testing;
-
-namespace {
 
 struct Reference {
     std::vector<aiVector3D> vertices;  ///< of all meshes, also those of lines
@@ -90,8 +87,6 @@ void requireCorners(const Mesh& mesh, const Reference& reference, const aiVector
     BOOST_TEST(different == 0u);
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(every_reading_gives_the_floats_of_ompl_app_bit_for_bit) {
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
         BOOST_TEST_CONTEXT("seed " << seed) {
@@ -136,5 +131,4 @@ BOOST_AUTO_TEST_CASE(a_shared_corner_counts_once_in_the_mean_and_an_unshared_one
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

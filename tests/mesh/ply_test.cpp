@@ -5,12 +5,9 @@
 #include "mesh/mesh_files.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(ply_test)
 
 using namespace testing;
-
-namespace {
 
 const std::string kVertices = "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";
@@ -27,8 +24,6 @@ std::string ordered(Value value, bool isBig) {
     if (isBig) std::reverse(bytes.begin(), bytes.end());
     return bytes;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(texts_are_read_in_double_and_other_elements_passed_over) {
     const std::string camera =
@@ -118,5 +113,4 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

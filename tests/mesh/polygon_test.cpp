@@ -10,12 +10,9 @@
 #include "support/random_meshes.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(polygon_test)
 
 using namespace testing;
-
-namespace {
 
 struct Filled {
     PolygonShape shape;
@@ -44,8 +41,6 @@ double enclosedArea(const std::vector<Vector3>& corners) {
         sum += corners[i].cross(corners[(i + 1) % corners.size()]);
     return sum.norm() / 2;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(random_simple_polygons_are_filled_inside_their_outline) {
     Random random(1);
@@ -134,5 +129,4 @@ BOOST_AUTO_TEST_CASE(thousands_of_corners_are_filled) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

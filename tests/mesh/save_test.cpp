@@ -12,13 +12,10 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(save_test)
 
 using namespace testing;
 namespace data = boost::unit_test::data;
-
-namespace {
 
 /// Several named components whose coordinates are floats made by `coordinate`. They have degenerate and
 /// repeated triangles, vertices that several components share, and vertices very close together.
@@ -73,8 +70,6 @@ Mesh savedAndLoaded(const Mesh& mesh, const std::string& name) {
 }
 
 const char* const kEndings[] = {".3mf", ".glb", ".obj", ".dae", ".ply", ".stl"};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(glb_brings_back_any_floats_order_and_names) {
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -262,5 +257,4 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_refused_and_leaves_nothing) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

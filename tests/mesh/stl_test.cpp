@@ -4,12 +4,9 @@
 #include "mesh/mesh_files.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(stl_test)
 
 using namespace testing;
-
-namespace {
 
 const std::string kFacet =
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
@@ -17,8 +14,6 @@ const std::string kFacet =
 std::string solid(const std::string& facets, const std::string& name = "a") {
     return "solid " + name + "\n" + facets + "endsolid " + name + "\n";
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(texts_as_programs_write_them_are_read) {
     std::string upper = solid(kFacet);
@@ -95,5 +90,4 @@ BOOST_AUTO_TEST_CASE(what_is_not_whole_is_refused_by_its_line) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -10,12 +10,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(three_mf_test)
 
 using namespace testing;
-
-namespace {
 
 using Parts = std::vector<std::pair<std::string, std::string>>;
 
@@ -86,8 +83,6 @@ void requireRefused(const Parts& parts, const std::string& words) {
 void requireRefused(const std::string& text, const std::string& reason) {
     requireRefused({{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", text}}, reason);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(items_and_components_place_objects_by_row_vectors) {
     const Mesh mesh =
@@ -237,5 +232,4 @@ BOOST_AUTO_TEST_CASE(a_damaged_archive_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -5,10 +5,7 @@
 #include <random>
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(topology_test)
-
-namespace {
 
 /// Counter-clockwise seen from outside.
 const std::vector<TriangleIndices> kTetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -21,8 +18,6 @@ void requireCounts(const EdgeReport& report, std::size_t closed, std::size_t ope
     BOOST_TEST(report.overfullEdges == overfull);
     BOOST_TEST(report.isClosed() == (open + twisted + overfull == 0));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_closed_surface_is_closed_inside_out_and_in_any_order_too) {
     requireCounts(checkEdges(kTetrahedron), 6, 0, 0, 0);
@@ -83,5 +78,4 @@ BOOST_AUTO_TEST_CASE(no_triangles_have_no_open_edges) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

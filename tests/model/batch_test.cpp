@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(batch_test)
-
-namespace {
 
 using testing::Random;
 
@@ -66,7 +63,5 @@ BOOST_FIXTURE_TEST_CASE(a_bad_pose_or_option_is_refused, Fixture) {
     BOOST_CHECK_THROW(distanceBatch(part, environment, poses), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

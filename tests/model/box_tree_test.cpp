@@ -12,8 +12,6 @@ BOOST_AUTO_TEST_SUITE(box_tree_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 71;
 
 /// Boxes on a grid and beside it, some of them flat, thin or points.
@@ -22,8 +20,6 @@ Box randomBox(Random& random) {
     if (random.below(2) == 0) corner = corner.array().round();
     return {corner, corner + 0.25 * sides};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_that_meet_are_found_once) {
     Random random(kSeed);

@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(displacement_test)
-
-namespace {
 
 double largestVertexDistance(const Mesh& mesh, const Vector3& axis) {
     double largest = 0;
@@ -130,7 +127,5 @@ BOOST_AUTO_TEST_CASE(a_pose_is_not_away_from_itself) {
     BOOST_TEST(model.displacement(pose, pose, 0) == 0);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -14,13 +14,9 @@ BOOST_AUTO_TEST_SUITE(model_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 void checkRefused(const Mesh& mesh, const BuildOptions& options, const std::vector<std::string>& words) {
     requireRefusedBy([&] { Model::build(mesh, options); }, words);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_model_tells_its_box_radius_and_components) {
     Mesh mesh = translated(box({1, 2, 3}, 2), {10, 0, 0});

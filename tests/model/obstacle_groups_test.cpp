@@ -9,10 +9,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(obstacle_groups_test)
-
-namespace {
 
 Mesh file(const std::string& name, const std::vector<std::string>& components) {
     std::vector<Mesh> boxes;
@@ -258,7 +255,5 @@ BOOST_AUTO_TEST_CASE(obstacles_are_grouped_by_overlap_and_made_solid) {
                       std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -13,10 +13,7 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(query_range_test)
-
-namespace {
 
 using testing::Random;
 using testing::requireRefusedBy;
@@ -295,7 +292,5 @@ BOOST_AUTO_TEST_CASE(the_cache_keeps_models_of_different_reaches_apart) {
     BOOST_TEST(!buildCached(c.environmentMesh, {}, folder.path()).model.range());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

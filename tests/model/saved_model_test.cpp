@@ -16,10 +16,7 @@
 #include "tree/flat_tree.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(saved_model_test)
-
-namespace {
 
 using testing::Random;
 
@@ -237,7 +234,5 @@ BOOST_FIXTURE_TEST_CASE(a_cached_file_with_other_components_is_built_again, Fixt
     BOOST_TEST(anew.warning.find("from another mesh") != std::string::npos, anew.warning);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

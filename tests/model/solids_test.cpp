@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(solids_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 51;
 
 bool holds(const Solid& solid, const Vector3& point) {
@@ -25,8 +23,6 @@ bool holds(const Solid& solid, const Vector3& point) {
 std::string refusalOf(const Mesh& mesh) {
     return refusalBy([&] { Solid(mesh, "bracket"); });
 }
-
-}  // namespace
 
 // Rays from grid points run along edges and through corners of the box's triangles.
 BOOST_AUTO_TEST_CASE(a_box_holds_what_is_between_its_sides) {

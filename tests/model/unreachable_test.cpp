@@ -12,10 +12,7 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(unreachable_test)
-
-namespace {
 
 using testing::Random;
 
@@ -172,7 +169,5 @@ BOOST_AUTO_TEST_CASE(a_reach_that_is_none_is_refused_by_name) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(cgal_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 constexpr std::uint64_t kSeed = 127;
@@ -37,8 +35,6 @@ Rational toRational(const Kernel::FT& number) {
     text << CGAL::exact(number);
     return Rational(text.str());
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(exact_distances_equal_cgals_on_every_pair_that_it_takes) {
     Random random(kSeed);

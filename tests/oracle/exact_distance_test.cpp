@@ -8,10 +8,7 @@
 #include "support/hard_triangles.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(exact_distance_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(an_exact_distance_is_ordered_among_the_doubles_around_it) {
     constexpr std::uint64_t kSeed = 7;
@@ -50,7 +47,5 @@ BOOST_AUTO_TEST_CASE(exact_distances_of_other_exponents_are_ordered) {
     BOOST_TEST(at(0.1).rounded() == static_cast<long double>(0.1));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(triangle_distance_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 long double extentOf(const TrianglePair& pair) {
     Box box;
     for (const Vector3& p : pair.a) box.extend(p);
@@ -28,8 +26,6 @@ long double largestCoordinate(const TrianglePair& pair) {
     for (const Vector3& p : pair.b) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     return largest;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(exact_distances_reproduce_known_distances) {
     for (const KnownPair& known : knownTrianglePairs()) {

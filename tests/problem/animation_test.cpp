@@ -15,10 +15,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(animation_test)
-
-namespace {
 
 using Json = boost::property_tree::ptree;
 
@@ -86,8 +83,6 @@ struct Exported {
     std::string file = folder.file("motion.glb");
     Exported() { saveAnimation(window.wallMesh, {{window.partMesh, path}}, 1, file); }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_animation_goes_through_the_states_at_an_even_pace) {
     const Exported exported;
@@ -266,5 +261,4 @@ BOOST_AUTO_TEST_CASE(other_endings_are_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

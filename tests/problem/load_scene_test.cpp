@@ -4,10 +4,7 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(load_scene_test)
-
-namespace {
 
 /// A box between two others, one of which is ignored.
 Problem betweenBoxes(const TemporaryFolder& folder) {
@@ -61,7 +58,5 @@ BOOST_AUTO_TEST_CASE(by_default_the_whole_environment_is_built) {
     BOOST_TEST(scene.obstacles[0].model.report().triangles == 12u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -9,12 +9,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(mutated_files_test)
 
 using testing::TemporaryFolder;
-
-namespace {
 
 constexpr unsigned kSeed = 17;
 const int kMutations = testing::isFullRun() ? 3000 : 600;
@@ -92,8 +89,6 @@ void requireFinite(const PartState& state) {
     BOOST_TEST_REQUIRE(rotationDefect(poseOf(state)) <= 1e-15);
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(mutated_problems_are_taken_with_sound_states_or_refused) {
     for (const std::string& original : {kProblem, kOwnKeys}) {
         requireTakenOrRefused(original, [](const std::string& file) {
@@ -135,5 +130,4 @@ BOOST_AUTO_TEST_CASE(mutated_byu_meshes_are_taken_with_sound_triangles_or_refuse
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

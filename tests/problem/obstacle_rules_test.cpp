@@ -9,10 +9,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(obstacle_rules_test)
-
-namespace {
 
 using Names = std::vector<std::string>;
 
@@ -163,7 +160,5 @@ BOOST_AUTO_TEST_CASE(overlaps_are_read_and_written_back) {
     BOOST_TEST(none.byName.empty());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

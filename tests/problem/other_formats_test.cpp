@@ -8,10 +8,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(other_formats_test)
-
-namespace {
 
 const std::string kTwoParts = "2 4 2 7\n1 1\n2 2\n1 1 1 2 1 1\n1 2 1 1 1 3\n1 2 -3\n1 2 3 -4\n";
 
@@ -60,7 +57,5 @@ BOOST_AUTO_TEST_CASE(ppl_meshes_are_centred_on_the_mean_of_their_files_vertices)
     BOOST_TEST((obj.origin.shift + Vector3(1, 1, 1)).norm() < 1e-15);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -9,10 +9,7 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(outside_test)
-
-namespace {
 
 const Box kUnitBox(Vector3(0, 0, 0), Vector3(1, 1, 1));
 const Box kPart(Vector3(-1, -2, -3), Vector3(1, 2, 3));
@@ -130,7 +127,5 @@ BOOST_AUTO_TEST_CASE(a_goal_outside_that_has_contacts_is_refused) {
     BOOST_CHECK_THROW(obstaclesOf(problem, {}), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -8,7 +8,6 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(path_file_test)
 
 using testing::readText;
@@ -83,5 +82,4 @@ BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_leaves_nothing) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -4,10 +4,7 @@
 #include <cmath>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(path_line_test)
-
-namespace {
 
 PartState turned(double x, double degrees) {
     const double half = degrees * M_PI / 360;
@@ -15,8 +12,6 @@ PartState turned(double x, double degrees) {
 }
 
 constexpr auto kClose = 1e-12;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_pace_is_even_over_states_however_far_apart) {
     const PathLine line({turned(0, 0), turned(1, 0), turned(10, 0)}, 5);
@@ -61,5 +56,4 @@ BOOST_AUTO_TEST_CASE(even_shares_go_from_0_to_1) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

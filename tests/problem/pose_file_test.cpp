@@ -6,12 +6,9 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(pose_file_test)
 
 using testing::TemporaryFolder;
-
-namespace {
 
 PoseFile read(const std::string& text) {
     const TemporaryFolder folder;
@@ -92,7 +89,5 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
     testing::requireRefusedBy<std::runtime_error>([&] { readPoses(folder.file("x")); }, {folder.file("x")});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

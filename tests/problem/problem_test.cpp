@@ -9,18 +9,13 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(problem_test)
-
-namespace {
 
 void requireRefused(const Problem& problem, const Box& environment, const std::vector<std::string>& words) {
     testing::requireRefusedBy([&] { boundsOf(problem, environment, Box()); }, words);
 }
 
 const Box kUnitBox(Vector3(0, 0, 0), Vector3(1, 1, 1));
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(poses_have_a_defect_of_rounding_whatever_the_quaternions_length) {
     constexpr unsigned kSeed = 5;
@@ -107,5 +102,4 @@ BOOST_AUTO_TEST_CASE(what_is_more_than_a_million_sizes_away_is_refused_by_name) 
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

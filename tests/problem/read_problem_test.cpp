@@ -9,14 +9,11 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(read_problem_test)
 
 using testing::holds;
 using testing::requireRefusedBy;
 using testing::TemporaryFolder;
-
-namespace {
 
 const std::string kSpatial = R"([problem]
 name = drawer   # a comment
@@ -80,8 +77,6 @@ void requireWarned(const std::string& text, const std::vector<std::vector<std::s
             BOOST_TEST(holds(warnings[i], word), "no \"" << word << "\" in: " << warnings[i]);
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(states_in_space_are_position_axis_and_angle) {
     const Problem problem = read(kSpatial);
@@ -487,5 +482,4 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_named) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

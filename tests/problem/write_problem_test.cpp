@@ -10,13 +10,10 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(write_problem_test)
 
 using testing::readText;
 using testing::TemporaryFolder;
-
-namespace {
 
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
@@ -36,8 +33,6 @@ void requireSamePose(const PartState& a, const PartState& b) {
     BOOST_TEST_REQUIRE(difference <= kRotationRounding,
                        "rotations differ by " << difference << " at " << a.rotation.coeffs().transpose());
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(everything_written_reads_back_to_the_same_values) {
     const TemporaryFolder folder;
@@ -187,5 +182,4 @@ BOOST_AUTO_TEST_CASE(what_could_not_be_read_back_is_refused_and_leaves_nothing) 
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

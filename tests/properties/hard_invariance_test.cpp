@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(hard_invariance_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 139;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -195,7 +193,5 @@ BOOST_DATA_TEST_CASE(a_million_away_the_interval_holds_the_distance_of_what_is_s
         BOOST_TEST(result.upper - result.lower <= 32 * kUnitRoundoff * exact.largestCoordinate, exact.name);
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

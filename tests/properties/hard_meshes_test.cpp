@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(hard_meshes_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 137;
 constexpr double kPi = 3.14159265358979323846;
 
@@ -60,8 +58,6 @@ Mesh segmentsAndPoints(Random& random, int triangles, double halfSide) {
     }
     return mesh;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(case_04_parallel_plates_of_many_triangles_keep_their_gap) {
     Random random(kSeed);

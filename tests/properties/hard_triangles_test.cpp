@@ -17,8 +17,6 @@ BOOST_AUTO_TEST_SUITE(hard_triangles_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 131;
 constexpr int kDraws = 30;
 constexpr int kTogether = 5;
@@ -86,8 +84,6 @@ bool registerFamilies() {
     return true;
 }
 const bool registered = registerFamilies();
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(pairs_from_bug_reports_have_the_distance_that_they_state) {
     for (const KnownPair& known : knownTrianglePairs()) {

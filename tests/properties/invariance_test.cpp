@@ -10,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(invariance_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 void checkAll(const QueryCase& queryCase, int width) {
     const ModelPair models = buildPair(queryCase, ofWidth(width));
     Workspace workspace;
@@ -36,8 +34,6 @@ QueryCase scaledCase(const QueryCase& queryCase, double factor) {
     return makeCase(queryCase.name + " times " + std::to_string(std::ilogb(factor)),
                     scaledBy(queryCase.part, factor), scaledBy(queryCase.environment, factor), poses);
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(part_and_environment_may_be_exchanged, eachWidth(), width) {
     for (const QueryCase& queryCase : queryCases()) {

@@ -76,8 +76,6 @@ BOOST_AUTO_TEST_SUITE(allocation_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 void askAll(const ModelPair& models, const QueryCase& queryCase, Workspace& workspace) {
     DistanceOptions loose;
     loose.relativeError = 0.05;
@@ -91,8 +89,6 @@ void askAll(const ModelPair& models, const QueryCase& queryCase, Workspace& work
         isWithin(models.part, models.environment, pose, 1.1 * queryCase.answers[i].distance, workspace);
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_count_sees_every_way_to_the_heap) {
     struct alignas(64) Aligned {

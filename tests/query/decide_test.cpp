@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(decide_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 97;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -84,8 +82,6 @@ double largestOf(const Draw& draw) {
     }
     return largest;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(intervals_hold_the_exact_distance_and_are_as_narrow_as_promised) {
     QueryCounters work;

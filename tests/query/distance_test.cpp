@@ -12,8 +12,6 @@ BOOST_AUTO_TEST_SUITE(distance_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 // The models of every case, built once for all instruction sets.
 const std::vector<ModelPair>& modelsBuiltAs(const BuildChoice& build) {
     static std::map<std::string, std::vector<ModelPair>> built;
@@ -25,8 +23,6 @@ const std::vector<ModelPair>& modelsBuiltAs(const BuildChoice& build) {
     }
     return models;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(cases_hold_contact_and_every_kind_of_gap) {
     int touching = 0, within1e10 = 0, near = 0, far = 0;

@@ -12,10 +12,7 @@
 #include "tree/flat_tree.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(exact_leaves_test)
-
-namespace {
 
 constexpr std::uint64_t kSeed = 151;
 
@@ -97,7 +94,5 @@ BOOST_AUTO_TEST_CASE(every_kind_of_leaf_answers_exactly_for_the_mesh) {
     BOOST_TEST(mixed > 5u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -11,10 +11,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(near_pairs_test)
-
-namespace {
 
 using Ids = std::pair<std::int64_t, std::int64_t>;
 
@@ -148,7 +145,5 @@ BOOST_AUTO_TEST_CASE(local_minima_are_among_all_pairs_and_stand_square_to_the_fa
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

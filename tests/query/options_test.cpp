@@ -13,12 +13,8 @@ BOOST_AUTO_TEST_SUITE(options_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(beyond_the_cap_only_the_cap_is_known, eachTarget() * eachWidth(), target, width) {
     const UsingTarget using_(target);

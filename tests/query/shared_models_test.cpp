@@ -10,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(shared_models_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 struct Answers {
     std::vector<double> lower, upper, distance;
     std::vector<bool> touching, near;
@@ -42,8 +40,6 @@ Answers answersOf(const std::vector<ModelPair>& models, OneOrNone&... workspace)
     }
     return answers;
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(four_threads_get_the_answers_of_one, eachWidth(), width) {
     std::vector<ModelPair> models;

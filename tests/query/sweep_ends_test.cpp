@@ -12,10 +12,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(sweep_ends_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(a_stop_is_asked_for_at_once_and_after_at_most_256_steps) {
     const SweptPair pair("pipe over plate", tube(2, 3, 4, 200), box({40, 40, 1}, 12), 8);
@@ -215,7 +212,5 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused_by_name) {
     BOOST_TEST((ask(motion, {}).verdict == SweepVerdict::kCertified));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -12,10 +12,7 @@
 #include "support/swept_pairs.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(sweep_test)
-
-namespace {
 
 struct Tally {
     int certified = 0, contact = 0, undecided = 0;
@@ -238,7 +235,5 @@ BOOST_DATA_TEST_CASE(a_pipe_rolls_a_millionth_above_a_plate, eachWidth(), width)
     BOOST_TEST(judge(pair, rolling(-1e-3), options, 3000).contact == 1);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -81,8 +81,6 @@ BOOST_AUTO_TEST_CASE(instruction_sets_differ_by_rounding_only) {
     }
 }
 
-namespace {
-
 constexpr int kQuestions = 4;
 
 /// Asks every kind of query, the given one first. Their lanes depend on the instruction set that the kernels ran on.
@@ -115,8 +113,6 @@ std::string toldByChild(const std::string& value, const std::string& question) {
     BOOST_TEST(std::system(command.c_str()) == 0, readText(folder.file("log")));
     return readText(folder.file("answer"));
 }
-
-}  // namespace
 
 /// Does nothing by itself: the cases after it run it in a process of its own.
 BOOST_AUTO_TEST_CASE(child_process) {

@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(ties_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 109;
 
 /// Boxes of 4 x 3 x 2 and 6 x 5 x 2, face to face, straight and turned, near the origin and away from it.
@@ -86,8 +84,6 @@ std::vector<BuildChoice> everyLeaf() {
     }
     return builds;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(gaps_are_those_asked_for) {
     for (const QueryCase& queryCase : boxesAtGaps()) {

@@ -11,11 +11,7 @@ BOOST_AUTO_TEST_SUITE(verdicts_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(contact_is_never_missed_and_the_three_queries_agree_on_it, eachTarget() * eachWidth(),
                      target, width) {

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(witnesses_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr std::uint64_t kSeed = 211;
 
 /// A part within a hollow soup, far away from its own place of the query before.
@@ -33,8 +31,6 @@ Places makePlaces(int count) {
 std::uint64_t nodesOf(const Places& places, const Pose& pose, Workspace& workspace) {
     return distance(places.part, places.environment, pose, {}, workspace).counters.nodeVisits;
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(poses_in_turn_cost_no_more_than_each_one_again,
                      eachTarget() * boost::unit_test::data::make({1, 2, 7, 17, 64}), target, count) {

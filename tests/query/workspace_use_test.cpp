@@ -22,8 +22,6 @@ BOOST_AUTO_TEST_SUITE(workspace_use_test)
 using namespace clearway;
 using namespace clearway::testing;
 
-namespace {
-
 struct Scenery {
     Scenery() {
         Random random(1);
@@ -92,8 +90,6 @@ void expectNone(const Ending& ending) {
     BOOST_TEST((WIFEXITED(ending.status) && WEXITSTATUS(ending.status) == 0));
     BOOST_TEST(ending.err.empty(), ending.err);
 }
-
-}  // namespace
 
 #ifndef NDEBUG
 BOOST_AUTO_TEST_CASE(a_question_of_another_thread_during_a_sweep_fails_an_assertion) {

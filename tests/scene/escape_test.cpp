@@ -6,10 +6,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(escape_test)
-
-namespace {
 
 Scene sceneOf(const Mesh& part, const std::vector<Mesh>& obstacles, double margin = 0) {
     Scene scene(Model::build(part));
@@ -124,7 +121,5 @@ BOOST_AUTO_TEST_CASE(near_pairs_of_a_scene_come_by_clearance) {
     BOOST_TEST(clearance.nearPairs({}, 0.6).empty());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -9,10 +9,7 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(interpolated_motion_test)
-
-namespace {
 
 using Rotation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
@@ -33,8 +30,6 @@ PartState turnedAboutZ(double angle) {
 bool isCertified(const SceneClearance& scene, const PartState& from, const PartState& to) {
     return certifySe3Motion(scene, from, to) == SweepVerdict::kCertified;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_thin_wall_between_two_free_states_is_found) {
     const SceneClearance room(
@@ -141,5 +136,4 @@ BOOST_AUTO_TEST_CASE(pieces_and_lengths_hold_the_points_of_the_part) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -10,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(motion_check_test)
 
 using namespace clearway;
 
-namespace {
-
 Mesh box(const Vector3& least, const Vector3& most) {
     return boxMesh({least, most});
 }
@@ -29,8 +27,6 @@ Pose turned(double angle, const Vector3& axis) {
 }
 
 const Model kCube = boxModel({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_thin_wall_between_two_free_poses_is_found) {
     const SceneClearance room(Scene(kCube, boxModel({5, -9, -9}, {5.0001, 9, 9}), 0.25));

@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(scene_batch_test)
 
 using namespace clearway;
 
-namespace {
-
 Model cube(double half) {
     return Model::build(boxMesh({Vector3::Constant(-half), Vector3::Constant(half)}));
 }
@@ -29,8 +27,6 @@ std::vector<Pose> around() {
     }
     return poses;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(batches_answer_as_single_questions_on_any_number_of_threads) {
     const SceneClearance scene(Scene(cube(0.5), cube(1), 0.25));

@@ -7,7 +7,6 @@
 #include "support/words.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(scene_test)
 
 BOOST_AUTO_TEST_CASE(wrong_lengths_are_refused_where_they_are_stated) {
@@ -23,5 +22,4 @@ BOOST_AUTO_TEST_CASE(wrong_lengths_are_refused_where_they_are_stated) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

@@ -10,10 +10,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(why_invalid_test)
-
-namespace {
 
 using Kind = WhyInvalid::Kind;
 
@@ -45,8 +42,6 @@ WhyInvalid filled(Kind kind) {
     why.unit = "mm";
     return why;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(each_kind_has_its_words) {
     const std::pair<Kind, const char*> kWords[] = {
@@ -145,5 +140,4 @@ BOOST_AUTO_TEST_CASE(a_pose_that_queries_refuse_is_a_value_too) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

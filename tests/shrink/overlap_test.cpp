@@ -9,10 +9,7 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(overlap_test)
-
-namespace {
 
 double depthOf(const Mesh& part, const Vector3& point) {
     Mesh one;
@@ -111,7 +108,5 @@ BOOST_AUTO_TEST_CASE(nothing_of_a_touching_obstacle_lies_deeper_than_the_bound) 
     BOOST_TEST(deep > 300);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -14,10 +14,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(shrink_test)
-
-namespace {
 
 Component all(const Mesh& mesh) {
     return {"", 0, static_cast<std::uint32_t>(mesh.triangles.size())};
@@ -218,7 +215,5 @@ BOOST_AUTO_TEST_CASE(a_shrunk_part_is_the_same_each_time) {
     BOOST_TEST((one.mesh.triangles == two.mesh.triangles));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -14,10 +14,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(swept_volume_test)
-
-namespace {
 
 /// The pose at a time, by the definition of RigidMotion.
 Pose poseAt(const RigidMotion& motion, double t) {
@@ -139,7 +136,5 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_and_work_can_be_stopped) {
         BOOST_CHECK_THROW(sweptVolume(part, motions, options), std::invalid_argument);  // takes a minute
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

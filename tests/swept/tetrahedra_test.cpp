@@ -11,10 +11,7 @@
 #include "swept/cut_surface.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(tetrahedra_test)
-
-namespace {
 
 double volumeOf(const Tetrahedra& tetrahedra, const Tetrahedron& t) {
     const auto& v = tetrahedra.vertices();
@@ -133,7 +130,5 @@ BOOST_AUTO_TEST_CASE(halves_keep_what_is_true_of_all_points) {
     BOOST_TEST(!tetrahedra.all()[8].isShallow);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

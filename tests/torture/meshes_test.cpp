@@ -5,10 +5,7 @@
 #include "torture/truth.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(meshes_test)
-
-namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
 
@@ -47,7 +44,5 @@ BOOST_AUTO_TEST_CASE(the_mesh_oracle_sees_contact_behind_a_pair_that_nearly_touc
     BOOST_FAIL("there is no family of needle fans");
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

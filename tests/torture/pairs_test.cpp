@@ -4,10 +4,7 @@
 #include "torture/runs.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(pairs_test)
-
-namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
 
@@ -30,7 +27,5 @@ BOOST_AUTO_TEST_CASE(hard_pairs_are_answered_as_exact_arithmetic_does) {
     BOOST_TEST(pairs == options.pairs);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

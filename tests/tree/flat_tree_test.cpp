@@ -12,10 +12,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(flat_tree_test)
-
-namespace {
 
 /// A leaf's block: all floats are 0.5, the ids count on from the first one, all numbers of vertices are 0.
 void addBlock(FlatTree& tree, std::uint32_t triangles, bool isExact, std::uint32_t firstId) {
@@ -162,7 +159,5 @@ BOOST_DATA_TEST_CASE(counts_of_a_built_tree_add_up, boost::unit_test::data::make
     BOOST_TEST(counted.bytes > 9 * sizeof(float) * triangles);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

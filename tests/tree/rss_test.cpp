@@ -7,10 +7,7 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(rss_test)
-
-namespace {
 
 Rss sample() {
     Rss rss;
@@ -44,7 +41,5 @@ BOOST_AUTO_TEST_CASE(the_area_matches_the_share_of_random_points_near_the_surfac
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -17,8 +17,6 @@ using clearway::Box;
 using clearway::Problem;
 using clearway::Vector3;
 
-namespace {
-
 const std::string kManifest =
     R"({"repository": "https://a.org/b", "commit": "0123456789abcdef0123456789abcdef01234567", "licence": "MIT",
 "problems": [{"name": "r/p", "reading": "ppl", "robot": "part.g", "world": [["part.g", 5, 0, 0], ["part.g", -5, 0, 0]],
@@ -86,5 +84,4 @@ BOOST_AUTO_TEST_CASE(a_problem_is_posed_from_a_checkout_as_its_manifest_says) {
     BOOST_TEST((poseOf(problem.goal).rotation.isIdentity(1e-12)));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()

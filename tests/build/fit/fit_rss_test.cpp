@@ -7,10 +7,7 @@
 #include "tree/stored_volume.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(fit_rss_test)
-
-namespace {
 
 /// Largest distance of a point beyond the swept surface; at most rounding when the volume holds them all.
 double largestExcess(const Rss& rss, const std::vector<Vector3>& points) {
@@ -154,7 +151,5 @@ BOOST_AUTO_TEST_CASE(scaling_by_a_power_of_two_scales_the_fit_exactly) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

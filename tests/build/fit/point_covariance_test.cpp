@@ -6,10 +6,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(point_covariance_test)
-
-namespace {
 
 std::vector<Vector3> brick(const Matrix3& axes, const Vector3& centre, double scale) {
     std::vector<Vector3> points;
@@ -53,7 +50,5 @@ BOOST_AUTO_TEST_CASE(points_without_extent_give_an_orthonormal_frame) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

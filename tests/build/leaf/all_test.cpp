@@ -6,10 +6,7 @@
 #include "support/processor_time.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(all_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(the_general_split_goes_on_to_single_triangles) {
     const CleanMesh mesh = meshOf({{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {5, 6, 7}, {6, 7, 8}});
@@ -42,7 +39,5 @@ BOOST_AUTO_TEST_CASE(a_group_costs_no_more_in_a_large_mesh_than_in_a_small_one) 
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -5,10 +5,7 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(chain_test)
-
-namespace {
 
 Leaves chains(const std::vector<TriangleIndices>& triangles) {
     return leavesOf(splitGroup(splitIntoVertexChains, meshOf(triangles)));
@@ -52,7 +49,5 @@ BOOST_AUTO_TEST_CASE(many_chains_hang_under_a_balanced_subtree) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "build/sample_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(cost_test)
-
-namespace {
 
 using Parts = std::set<std::set<std::uint32_t>>;
 
@@ -122,7 +119,5 @@ BOOST_AUTO_TEST_CASE(parts_cost_less_than_what_they_are_parts_of_and_all_nodes_a
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

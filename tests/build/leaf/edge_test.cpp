@@ -5,10 +5,7 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(edge_test)
-
-namespace {
 
 Leaves chains(const std::vector<TriangleIndices>& triangles) {
     return leavesOf(splitGroup(splitIntoEdgeChains, meshOf(triangles)));
@@ -36,7 +33,5 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_a_degenerate_triangle_repeats_counts_once) {
     BOOST_TEST((chains({{0, 0, 1}, {0, 1, 3}}) == Leaves{{0, 1}}));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

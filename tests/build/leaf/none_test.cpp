@@ -5,10 +5,7 @@
 #include "build/leaf/groups.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(none_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
     const CleanMesh mesh = meshOf({{0, 1, 2}, {3, 4, 5}, {1, 2, 6}});
@@ -17,7 +14,5 @@ BOOST_AUTO_TEST_CASE(the_group_stays_one_leaf_whatever_its_triangles_share) {
     BOOST_TEST((leavesOf(tree) == Leaves{{0, 1, 2}}));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

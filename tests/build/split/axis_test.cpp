@@ -8,10 +8,7 @@
 #include "tree/rss.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(axis_test)
-
-namespace {
 
 /// Two long plates, one above the other: the spread is greatest along them.
 std::vector<Corners> twoPlates() {
@@ -73,7 +70,5 @@ BOOST_AUTO_TEST_CASE(no_other_principal_axis_would_have_given_less_area) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

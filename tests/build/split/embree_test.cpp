@@ -10,10 +10,7 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(embree_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(two_clusters_are_parted) {
     std::vector<Corners> triangles = soup(40, 31);
@@ -42,7 +39,5 @@ BOOST_AUTO_TEST_CASE(two_threads_may_build_at_once) {
     BOOST_TEST((there == alone));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -7,10 +7,7 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(halves_test)
-
-namespace {
 
 TriangleSet leftHalf(const CleanMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.triangles.size());
@@ -37,7 +34,5 @@ BOOST_AUTO_TEST_CASE(coinciding_centroids_are_parted_by_position) {
     BOOST_TEST((leftHalf(cleanMeshOf(std::vector<Corners>(3, {x, x, x}))) == TriangleSet{0}));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

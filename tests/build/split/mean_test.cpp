@@ -6,10 +6,7 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(mean_test)
-
-namespace {
 
 Corners smallAt(const Vector3& at) {
     return {at, at + Vector3(0.1, 0, 0), at + Vector3(0, 0.1, 0)};
@@ -48,7 +45,5 @@ BOOST_AUTO_TEST_CASE(the_normal_is_the_direction_of_greatest_spread) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -6,10 +6,7 @@
 #include "build/split/children.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(sah_test)
-
-namespace {
 
 /// A patch of n x n cells in the plane of u and v.
 void addPatch(std::vector<Corners>& triangles, const Vector3& at, const Vector3& u, const Vector3& v, int n) {
@@ -82,7 +79,5 @@ BOOST_AUTO_TEST_CASE(triangles_that_coincide_as_floats_are_still_parted_by_place
                 trianglesOf(tree, tree.nodes[0].right) == TriangleSet{2, 3, 4, 5}));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

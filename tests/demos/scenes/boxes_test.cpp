@@ -11,8 +11,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 /// The number of pairs of triangles that are as near as the nearest pair.
 int tiesAt(const GeneratedScene& scene, const PartState& state, double nearest) {
     const MeshOracle oracle(scene.part, scene.environment);
@@ -53,7 +51,5 @@ BOOST_AUTO_TEST_CASE(many_pairs_of_triangles_are_equally_near) {
     const double nearest = MeshOracle(scene.part, scene.environment).distance(poseOf(state)).distance;
     BOOST_TEST(tiesAt(scene, state, nearest) >= 50);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(cembox_bay_test)
 using namespace clearway;
 using namespace clearway::scenes;
 
-namespace {
-
 PartState at(const Vector3& position, double turn = 0) {
     PartState state;
     state.position = position;
@@ -66,7 +64,5 @@ BOOST_AUTO_TEST_CASE(a_large_triangle_through_the_room_is_found) {
     for (Vector3& vertex : sheet.vertices) vertex.z() -= 20;
     BOOST_TEST(lifted(1).isClearOf(sheet));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

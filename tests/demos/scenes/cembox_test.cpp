@@ -30,8 +30,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 /// From a scene that leaves out most components to one with all large ones.
 constexpr SceneOptions kSmall{1, 3000, 6000, 4}, kRich{3, 5000, 80000, 0.5};
 
@@ -212,7 +210,5 @@ BOOST_DATA_TEST_CASE(neither_the_straight_motion_nor_a_straight_pull_takes_the_m
     for (const PartState& end : {scene.path.back(), pulled})
         BOOST_TEST(collidingShare(part, environment, scene.path.front(), end) >= 0.25);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -21,8 +21,6 @@ using namespace clearway::scenes;
 using namespace clearway::testing;
 namespace data = boost::unit_test::data;
 
-namespace {
-
 /// The options of a scene, as in data/README.md.
 struct Classic {
     const char* folder;
@@ -103,7 +101,5 @@ BOOST_DATA_TEST_CASE(plan_solves_it_with_a_path_that_passes_check, data::make({k
     BOOST_TEST(check.beginsAtStart());
     BOOST_TEST(check.endsAtGoal());
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -20,8 +20,6 @@ using namespace clearway::scenes;
 using namespace clearway::testing;
 namespace data = boost::unit_test::data;
 
-namespace {
-
 using Counts = std::pair<std::size_t, std::size_t>;
 
 struct Family {
@@ -194,7 +192,5 @@ BOOST_DATA_TEST_CASE(what_cannot_be_made_is_refused_by_name, data::make(families
     for (const double clearance : {0.0, -3.0, 1.05 * family.widest, std::nan(""), 1e300})
         refused({1, good.partTriangles, good.environmentTriangles, clearance}, "clearance is ");
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

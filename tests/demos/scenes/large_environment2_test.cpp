@@ -15,8 +15,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 constexpr SceneOptions kSmall{1, 4000, 12000, 10};
 
 /// The small scene, made once.
@@ -150,7 +148,5 @@ BOOST_AUTO_TEST_CASE(it_takes_more_volume_tests_a_query_than_the_other_families)
         }
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,8 +16,6 @@ using namespace clearway::scenes;
 using namespace clearway::testing;
 namespace data = boost::unit_test::data;
 
-namespace {
-
 SceneOptions with(std::uint64_t seed, std::size_t triangles, double clearance) {
     return {seed, triangles, triangles, clearance};
 }
@@ -85,7 +83,5 @@ BOOST_DATA_TEST_CASE(the_goal_is_free_of_the_other_bar, kVersions, version) {
         for (const PartState& state : scene.path) BOOST_TEST(scene.problem.volume->contains(state.position));
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,10 +9,7 @@
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(scene_test)
-
-namespace {
 
 constexpr const char* kScene =
     "tunnel-console-3 --seed 3 --part-triangles 15000 --environment-triangles 50000 --clearance 10 "
@@ -40,8 +37,6 @@ void requireSameState(const PartState& a, const PartState& b) {
     BOOST_TEST((a.position - b.position).norm() <= 1e-9);
     BOOST_TEST((poseOf(a).rotation - poseOf(b).rotation).norm() <= 1e-12);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_scene_is_written_with_a_path_from_its_start_to_its_goal_that_keeps_the_clearance) {
     const TemporaryFolder folder;
@@ -153,5 +148,4 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_part_of_a_scene) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -15,8 +15,6 @@ BOOST_AUTO_TEST_SUITE(scenes_test)
 using namespace clearway;
 using namespace clearway::scenes;
 
-namespace {
-
 /// Numbers that distinguish scenes without storing the meshes.
 struct Fingerprint {
     std::size_t triangles, components;
@@ -125,7 +123,5 @@ BOOST_AUTO_TEST_CASE(what_a_version_makes_stays_what_it_was) {
         }
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(section_test)
 using namespace clearway;
 using namespace clearway::scenes;
 
-namespace {
-
 double area(const Section& section) {
     double twice = 0;
     for (const TriangleIndices& t : section.cap) {
@@ -90,7 +88,5 @@ BOOST_AUTO_TEST_CASE(a_square_around_a_circle_has_its_corners) {
         }
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

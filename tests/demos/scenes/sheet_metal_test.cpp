@@ -11,8 +11,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 PanelShape flat(double width, double depth, double thickness) {
     PanelShape shape;
     shape.surface = [](double u, double v) { return Vector3(u, v, 7); };
@@ -152,7 +150,5 @@ BOOST_AUTO_TEST_CASE(both_sides_are_solids_that_mirror_each_other) {
         BOOST_TEST((a - Vector3(b.x(), -b.y(), b.z())).norm() == 0);
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

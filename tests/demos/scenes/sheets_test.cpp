@@ -9,8 +9,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 /// The thickness of each wall's four boxes.
 std::set<double> thicknesses(const Mesh& environment) {
     std::map<std::string, Box> boxes;
@@ -50,7 +48,5 @@ BOOST_AUTO_TEST_CASE(the_paths_keep_the_clearance_and_the_walls_differ_in_their_
     BOOST_CHECK_THROW(makeSheets({1, 500, 6000, 29}), std::invalid_argument);
     BOOST_CHECK_THROW(makeSlabs({1, 500, 500, 25}), std::invalid_argument);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,8 +13,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 Mesh meshOf(const Piece& piece) {
     Assembly assembly;
     assembly.add("piece", piece);
@@ -277,7 +275,5 @@ BOOST_AUTO_TEST_CASE(every_triangle_lies_in_a_face_exactly_and_none_is_degenerat
         BOOST_TEST((b - a).cross(c - a).norm() > 0.01);
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,8 +13,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 Spine threeBends() {
     Pose start;
     start.translation = {5, -3, 2};
@@ -136,7 +134,5 @@ BOOST_AUTO_TEST_CASE(a_radius_that_does_not_fit_is_lessened) {
     BOOST_TEST(profile.length() < 20);
     BOOST_TEST(profile.length() > 10 * std::sqrt(2.0));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -18,8 +18,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 /// The scene at full size, made once for each clearance.
 const GeneratedScene& fullSize(double clearance) {
     static std::map<double, GeneratedScene> made;
@@ -50,8 +48,6 @@ std::string stem(const std::string& name) {
     return end + 1 < name.size() && name[end] == '_' ? name.substr(0, end) : name;
 }
 
-}  // namespace
-
 BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one, kClearances, clearance) {
     const GeneratedScene& scene = fullSize(clearance);
     BOOST_TEST(isWithin(scene.part.triangles.size(), 73425, 0.005));
@@ -69,13 +65,9 @@ BOOST_DATA_TEST_CASE(it_has_the_triangles_and_the_components_of_a_real_one, kCle
     BOOST_TEST(std::abs(boundingBox(scene.part).diagonal().norm() - 900) < 10);
 }
 
-namespace {
-
 bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
-
-}  // namespace
 
 BOOST_DATA_TEST_CASE(the_problem_starts_inside_and_ends_outside, kClearances, clearance) {
     const GeneratedScene& scene = fullSize(clearance);

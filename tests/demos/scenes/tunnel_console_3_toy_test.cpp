@@ -35,8 +35,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 /// A scene with trees that are built quickly.
 struct BuiltScene {
     explicit BuiltScene(GeneratedScene made) : scene(std::move(made)) {}
@@ -226,7 +224,5 @@ BOOST_AUTO_TEST_CASE(a_toy_is_told_by_its_first_100_motions) {
         }
     }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,8 +13,6 @@ using namespace clearway;
 using namespace clearway::scenes;
 using namespace clearway::testing;
 
-namespace {
-
 GeneratedScene readScene(const std::string& problemFile, const std::string& pathFile) {
     GeneratedScene scene;
     scene.problem = readProblem(problemFile);
@@ -82,7 +80,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_when_one_of_the_files_cannot_be) {
     BOOST_CHECK_THROW(writeScene(scene, folder.path()), std::runtime_error);
     BOOST_TEST(folder.names() == std::vector<std::string>{scene.name + ".path"});
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

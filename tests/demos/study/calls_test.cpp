@@ -6,11 +6,9 @@
 #include "support/temporary_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(calls_test)
 
 using namespace study;
-namespace {
 
 BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     const TemporaryFolder folder;
@@ -41,7 +39,5 @@ BOOST_AUTO_TEST_CASE(calls_and_answers_read_back_as_they_were) {
     BOOST_CHECK_THROW(readAnswers(folder.write("b.answers", "yx\n")), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

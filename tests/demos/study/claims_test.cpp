@@ -4,11 +4,9 @@
 #include <cmath>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(claims_test)
 
 using namespace study;
-namespace {
 
 TreeRow tree(const std::string& scene, const std::string& general, const std::string& leaf, double seconds,
              std::uint64_t leaves) {
@@ -95,7 +93,5 @@ BOOST_AUTO_TEST_CASE(thesis_values_are_looked_up_by_scene_and_strategy) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -3,11 +3,9 @@
 #include <boost/test/unit_test.hpp>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(qualification_test)
 
 using namespace study;
-namespace {
 
 const Measure kNone = std::nullopt;
 
@@ -77,7 +75,5 @@ BOOST_AUTO_TEST_CASE(seeds_and_then_the_slowest_planners_go_where_the_time_does_
     BOOST_TEST(seeds(0) == Seeds({0, 0, 0, 0}), boost::test_tools::per_element());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

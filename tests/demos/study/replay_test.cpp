@@ -6,11 +6,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(replay_test)
 
 using namespace study;
-namespace {
 
 using Places = std::vector<std::size_t>;
 
@@ -66,7 +64,5 @@ BOOST_AUTO_TEST_CASE(samples_are_replayed_in_all_trees_and_a_wrong_answer_is_tol
     BOOST_TEST(!replayGroup(problem, groups.back(), {*sample}, options).has_value());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

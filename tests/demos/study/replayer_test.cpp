@@ -12,10 +12,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::study {
-
 BOOST_AUTO_TEST_SUITE(replayer_test)
-
-namespace {
 
 using testing::windowScene;
 
@@ -167,7 +164,5 @@ BOOST_AUTO_TEST_CASE(states_of_another_space_are_refused) {
     BOOST_TEST((poses[0].rotation == Matrix3::Identity()));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::study

@@ -5,11 +5,9 @@
 #include <random>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(statistics_test)
 
 using namespace study;
-namespace {
 
 StudyOptions twoTrees() {
     StudyOptions options;
@@ -258,7 +256,5 @@ BOOST_AUTO_TEST_CASE(a_planner_that_asks_the_scene_itself_has_no_calls) {
     BOOST_TEST(!row.calls());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

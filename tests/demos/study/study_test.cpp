@@ -9,10 +9,7 @@
 #include "support/full_run.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(study_test)
-
-namespace {
 
 /// RRTConnect takes some 20 ms for a path through the window. 3 general splits less one, 5 leaf splits, 15 seeds: 150 paired runs.
 constexpr const char* kStudy = "window/window.cfg --short --planner RRTConnect --seeds 15 --out study";
@@ -78,8 +75,6 @@ Outcome runAndEnd(const StudyFolder& folder, const char* signal, int runs) {
                                 std::to_string(runs) + " ]; do sleep 0.02; done; kill -" + signal +
                                 " $program; wait $program");
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_study_that_was_stopped_or_killed_goes_on_without_losing_or_repeating_runs) {
     const StudyFolder whole, stopped;
@@ -218,5 +213,4 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

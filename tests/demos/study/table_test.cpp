@@ -11,11 +11,9 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(table_test)
 
 using namespace study;
-namespace {
 
 struct Row {
     std::string a, b;
@@ -145,7 +143,5 @@ BOOST_AUTO_TEST_CASE(another_table_is_refused_and_left_as_it_is) {
     BOOST_TEST(holds(refusal(folder.file("none/x.csv"), kColumns), "cannot be written"));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -11,11 +11,9 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(workers_test)
 
 using namespace study;
-namespace {
 
 void ignore(const std::string& /*text*/) {}
 
@@ -87,7 +85,5 @@ BOOST_AUTO_TEST_CASE(what_was_kept_before_a_stop_is_taken) {
     BOOST_TEST(kept.size() == 2u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

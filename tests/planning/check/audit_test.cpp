@@ -8,10 +8,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(audit_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 
@@ -184,7 +181,5 @@ BOOST_AUTO_TEST_CASE(no_pose_of_a_path_has_less_clearance_than_its_audit_says) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

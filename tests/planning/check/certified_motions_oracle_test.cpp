@@ -12,10 +12,7 @@
 #include "support/motion_judge.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(certified_motions_oracle_test)
-
-namespace {
 
 namespace ob = ompl::base;
 
@@ -96,7 +93,5 @@ BOOST_AUTO_TEST_CASE(answers_are_true_at_borders_and_beside_contact) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

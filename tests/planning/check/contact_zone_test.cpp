@@ -14,10 +14,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(contact_zone_test)
-
-namespace {
 
 using planning::MotionReport;
 using planning::MotionVerdict;
@@ -344,7 +341,5 @@ BOOST_AUTO_TEST_CASE(zones_that_are_none_are_refused) {
     BOOST_CHECK_THROW(PartInSpace{turned.scene}, std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -10,10 +10,7 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(containment_test)
-
-namespace {
 
 using planning::MotionReport;
 using planning::MotionVerdict;
@@ -268,7 +265,5 @@ BOOST_AUTO_TEST_CASE(solids_without_the_parts_are_refused) {
     requireRefusedBy([&] { PartInSpace{scene}; }, {"partSolids is null"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

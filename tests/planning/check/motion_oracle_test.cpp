@@ -11,10 +11,7 @@
 #include "support/random_motion.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(motion_oracle_test)
-
-namespace {
 
 namespace ob = ompl::base;
 using planning::MotionReport;
@@ -85,7 +82,5 @@ BOOST_AUTO_TEST_CASE(no_motion_called_valid_touches_by_the_oracle_and_none_calle
     checkScenes(100000, 17, 10000, 100);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

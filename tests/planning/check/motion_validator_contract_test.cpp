@@ -16,10 +16,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(motion_validator_contract_test)
-
-namespace {
 
 using LastValid = std::pair<ob::State*, double>;
 using State = ob::ScopedState<>;
@@ -201,7 +198,5 @@ BOOST_AUTO_TEST_CASE(the_certified_validator_keeps_the_contract_through_callback
     checkMotionValidatorContract(*f.si, validator, f.motions());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

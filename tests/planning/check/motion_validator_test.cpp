@@ -11,10 +11,7 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(motion_validator_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 using testing::withLeastInterval;
@@ -221,7 +218,5 @@ BOOST_AUTO_TEST_CASE(the_bounds_end_a_motion_where_they_are) {
     BOOST_TEST(f.validator->counters().invalidStarts == 2u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

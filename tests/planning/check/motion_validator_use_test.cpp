@@ -21,10 +21,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(motion_validator_use_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 using testing::withLeastInterval;
@@ -392,7 +389,5 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_empty_callbacks_are_refused) {
                boost::test_tools::tolerance(1e-12));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

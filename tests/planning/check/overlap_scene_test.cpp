@@ -8,10 +8,7 @@
 #include "support/winding.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(overlap_scene_test)
-
-namespace {
 
 using planning::MotionReport;
 using planning::MotionVerdict;
@@ -128,7 +125,5 @@ BOOST_AUTO_TEST_CASE(a_margin_is_kept_from_the_shrunk_part) {
     BOOST_TEST(why.limit == 0.4);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

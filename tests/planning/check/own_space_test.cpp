@@ -14,10 +14,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(own_space_test)
-
-namespace {
 
 namespace ob = ompl::base;
 
@@ -154,7 +151,5 @@ BOOST_AUTO_TEST_CASE(a_deviation_that_is_too_small_is_believed_and_caught_by_loo
     BOOST_TEST(liar.checkMotion(s1.get(), s2.get()));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

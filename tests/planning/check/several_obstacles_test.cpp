@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(several_obstacles_test)
-
-namespace {
 
 constexpr double kMargins[] = {0, 2, 0.5, 6};
 
@@ -149,7 +146,5 @@ BOOST_AUTO_TEST_CASE(a_wrong_margin_of_any_obstacle_is_refused) {
     BOOST_CHECK_THROW(PartInSpace{yard.scene}, std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

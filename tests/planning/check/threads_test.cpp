@@ -30,10 +30,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(threads_test)
-
-namespace {
 
 constexpr int kThreads = 8;
 
@@ -312,7 +309,5 @@ BOOST_AUTO_TEST_CASE(plans_checks_and_explanations_may_overlap_in_time) {
     for (int i = 0; i < kPlanners; ++i) BOOST_TEST(found[i] == 4, "thread " << i);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

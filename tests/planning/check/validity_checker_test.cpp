@@ -18,10 +18,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(validity_checker_test)
-
-namespace {
 
 using testing::Random;
 
@@ -237,7 +234,5 @@ BOOST_AUTO_TEST_CASE(an_empty_callback_is_refused) {
                       std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

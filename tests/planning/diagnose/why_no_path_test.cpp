@@ -20,10 +20,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(why_no_path_test)
-
-namespace {
 
 using testing::doorScene;
 using Outcome = PlanReport::Outcome;
@@ -319,7 +316,5 @@ BOOST_AUTO_TEST_CASE(trees_that_a_valid_motion_joins_are_a_path) {
     BOOST_TEST(!report.whyNoPath.has_value());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -18,10 +18,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(elastic_band_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 
@@ -221,7 +218,5 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_spaces_are_refused) {
     BOOST_CHECK_THROW(widenPath(own, *f.validator, withSweeps(1)), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -7,10 +7,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(least_twist_test)
-
-namespace {
 
 using testing::Random;
 
@@ -75,7 +72,5 @@ BOOST_AUTO_TEST_CASE(bounds_that_hold_already_leave_the_part_where_it_is) {
     BOOST_TEST(leastTwist({{x, 0}, {-x, -2}})->norm() == 0);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(screw_test)
-
-namespace {
 
 using testing::Random;
 
@@ -131,7 +128,5 @@ BOOST_DATA_TEST_CASE(sweeps_along_screws_agree_with_the_oracle, testing::eachTar
     BOOST_TEST(contacts > 5);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

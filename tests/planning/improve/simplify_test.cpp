@@ -26,8 +26,6 @@ struct SeededShortcuts {
 
 BOOST_AUTO_TEST_SUITE(simplify_test, *boost::unit_test::fixture<SeededShortcuts>())
 
-namespace {
-
 using testing::MotionScene;
 
 SimplifyOptions withFloor(double floor) {
@@ -181,7 +179,5 @@ BOOST_AUTO_TEST_CASE(wrong_floors_and_paths_are_refused) {
     BOOST_CHECK_THROW(simplify(planar, *f.validator, withFloor(0)), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

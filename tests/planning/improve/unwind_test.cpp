@@ -10,10 +10,7 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(unwind_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 
@@ -86,7 +83,5 @@ BOOST_AUTO_TEST_CASE(of_two_ways_the_wider_one_is_better_or_else_the_one_that_wi
     BOOST_TEST(!isBetterPath(way(1.01, 0.5), way(1, 0), 10));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -22,10 +22,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(clearance_objectives_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 
@@ -373,7 +370,5 @@ BOOST_AUTO_TEST_CASE(wrong_options_and_a_missing_scene_are_refused) {
     BOOST_TEST(MinClearanceObjective(f.si, sceneOf(f.si)).scene().obstacles.size() == 1u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

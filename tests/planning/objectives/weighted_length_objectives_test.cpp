@@ -10,10 +10,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(weighted_length_objectives_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 using Extra = std::function<double(double clearance)>;
@@ -152,7 +149,5 @@ BOOST_AUTO_TEST_CASE(a_motion_of_no_length_and_one_without_obstacles_have_their_
     BOOST_TEST(cost(least, s1, s2) == least.cap());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -7,10 +7,7 @@
 #include "clearway/problem.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(data_problems_test)
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -53,7 +50,5 @@ BOOST_AUTO_TEST_CASE(the_bracket_turns_its_way_through_the_window) {
     BOOST_TEST(report.rotation > M_PI / 2);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

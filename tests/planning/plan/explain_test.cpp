@@ -8,10 +8,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(explain_test)
-
-namespace {
 
 using Outcome = PlanReport::Outcome;
 
@@ -146,7 +143,5 @@ BOOST_AUTO_TEST_CASE(one_obstacle_without_a_margin_is_nothing_to_choose_from) {
                       std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -8,10 +8,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(interrupted_plan_test)
-
-namespace {
 
 using Outcome = PlanReport::Outcome;
 
@@ -71,7 +68,5 @@ BOOST_AUTO_TEST_CASE(a_stop_at_any_time_leaves_a_valid_path_once_there_is_one) {
     BOOST_TEST(found > 0);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

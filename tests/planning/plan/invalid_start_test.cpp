@@ -6,10 +6,7 @@
 #include "support/door_scene.h"
 
 namespace clearway {
-
 BOOST_AUTO_TEST_SUITE(invalid_start_test)
-
-namespace {
 
 /// The part of the door's scene, moved into the corner of floor and door; the scene was read from no file.
 struct Corner {
@@ -43,7 +40,5 @@ BOOST_AUTO_TEST_CASE(a_start_in_collision_is_refused_with_every_obstacle_and_the
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway

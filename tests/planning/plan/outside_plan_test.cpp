@@ -14,10 +14,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(outside_plan_test)
-
-namespace {
 
 using Outcome = PlanReport::Outcome;
 
@@ -166,7 +163,5 @@ BOOST_AUTO_TEST_CASE(ompls_setup_of_a_problem_takes_a_goal_outside) {
     BOOST_TEST(dynamic_cast<const OutsideGoal*>(setup.getGoal().get()) != nullptr);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

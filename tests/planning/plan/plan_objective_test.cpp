@@ -11,10 +11,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(plan_objective_test)
-
-namespace {
 
 using testing::gatesScene;
 using Outcome = PlanReport::Outcome;
@@ -249,7 +246,5 @@ BOOST_AUTO_TEST_CASE(a_wanted_clearance_without_its_objective_is_refused) {
     BOOST_TEST(found(gates.problem, gates.scene, options).objective == "length_with_clearance");
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

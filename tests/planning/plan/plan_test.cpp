@@ -17,10 +17,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(plan_test)
-
-namespace {
 
 using testing::windowScene;
 using Outcome = PlanReport::Outcome;
@@ -390,7 +387,5 @@ BOOST_AUTO_TEST_CASE(planning_that_ends_in_time_tells_nothing_before) {
     BOOST_TEST(!isTold);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

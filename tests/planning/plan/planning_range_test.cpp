@@ -18,10 +18,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(planning_range_test)
-
-namespace {
 
 /// The wall with a window, and a second such wall far behind it.
 struct TwoWalls {
@@ -226,7 +223,5 @@ BOOST_AUTO_TEST_CASE(positions_may_lie_anywhere_off_the_origin) {
     BOOST_TEST(checker.counters().unusable == 1u);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -18,10 +18,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(problem_setup_test)
-
-namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -164,7 +161,5 @@ BOOST_AUTO_TEST_CASE(a_rule_without_an_obstacle_is_refused_with_the_problems_fil
     requireRefusedBy([&] { loadScene(boxesWith(folder, "ignore = nobody\n")); }, {"boxes.cfg: [clearway]"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

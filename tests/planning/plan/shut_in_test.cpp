@@ -6,10 +6,7 @@
 #include "support/winding.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(shut_in_test)
-
-namespace {
 
 using Outcome = PlanReport::Outcome;
 
@@ -104,7 +101,5 @@ BOOST_AUTO_TEST_CASE(a_cavity_in_a_solid_shuts_in) {
     BOOST_TEST((hollow.plan().outcome == Outcome::kFound));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -6,7 +6,6 @@
 #include "support/processor_time.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(tunnel_console_plan_test)
 
 using planning::PlanReport;
@@ -46,5 +45,4 @@ BOOST_AUTO_TEST_CASE(the_small_tunnel_console_is_solved_in_30_seconds_and_the_pa
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -6,10 +6,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(widening_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(the_end_of_a_path_outside_does_not_limit_the_clearance_it_keeps) {
     auto window = testing::windowScene();
@@ -30,7 +27,5 @@ BOOST_AUTO_TEST_CASE(the_end_of_a_path_outside_does_not_limit_the_clearance_it_k
     BOOST_TEST(path.length() < 60);  // not led on for longer than needed
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -8,10 +8,7 @@
 #include "support/planar_scenes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(anytime_clearance_test)
-
-namespace {
 
 constexpr std::uint32_t kSeeds = 2;
 constexpr int kMostRounds = 20;
@@ -106,7 +103,5 @@ BOOST_AUTO_TEST_CASE(fmt_finds_paths_with_a_bottleneck_for_a_cost) {
     BOOST_TEST(fmtCost(150, "max_min_clearance") > 0);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(other_paths_test)
-
-namespace {
 
 /// A straight path through the window, whose middle motion keeps little.
 struct Straight {
@@ -70,7 +67,5 @@ BOOST_FIXTURE_TEST_CASE(a_goal_at_the_end_of_a_path_draws_its_states_and_those_o
     BOOST_TEST(!goal.isSatisfied(path.getState(3)));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -16,10 +16,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(planners_test)
-
-namespace {
 
 ob::SpaceInformationPtr spaceInformation() {
     const Box bounds(Vector3(-1, -1, -1), Vector3(1, 1, 1));
@@ -111,7 +108,5 @@ BOOST_AUTO_TEST_CASE(rising_floor_ends_at_once_without_a_valid_start) {
     BOOST_TEST(asked <= 100);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -25,10 +25,7 @@
 #include "support/processor_time.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(rising_floor_test)
-
-namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -227,7 +224,5 @@ BOOST_AUTO_TEST_CASE(a_start_that_is_added_between_solves_gives_more_clearance) 
     BOOST_TEST(path.getState(0)->as<ob::SE2StateSpace::StateType>()->getX() == -80);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -6,10 +6,7 @@
 #include "support/motion_window.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(slide_contacts_test)
-
-namespace {
 
 using Fixture = testing::MotionWindow;
 constexpr double kStandoff = 1, kReach = 100;
@@ -63,7 +60,5 @@ BOOST_AUTO_TEST_CASE(a_contact_left_behind_is_forgotten) {
     BOOST_TEST(f.contacts.areNone());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

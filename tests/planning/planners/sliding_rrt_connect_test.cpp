@@ -17,10 +17,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(sliding_rrt_connect_test)
-
-namespace {
 
 using namespace clearway::testing;
 
@@ -201,7 +198,5 @@ BOOST_AUTO_TEST_CASE(a_space_or_a_checker_of_another_kind_is_refused_by_name) {
     BOOST_CHECK_THROW(PlannerTeam(other).setup(), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -20,10 +20,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(twist_search_test)
-
-namespace {
 
 using testing::AssembledProblem;
 using Outcome = PlanReport::Outcome;
@@ -352,7 +349,5 @@ BOOST_AUTO_TEST_CASE(the_team_has_one_only_in_tight_fits) {
     BOOST_TEST(other->twistSearch() == nullptr);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

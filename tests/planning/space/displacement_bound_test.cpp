@@ -13,10 +13,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(displacement_bound_test)
-
-namespace {
 
 namespace ob = ompl::base;
 
@@ -167,7 +164,5 @@ BOOST_AUTO_TEST_CASE(a_space_that_may_interpolate_in_its_own_way_is_refused_by_i
     BOOST_CHECK_THROW(displacementBound(ob::SE3StateSpace(), std::nan("")), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -9,10 +9,7 @@
 #include "clearway/planning/planners.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(ompl_refusal_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(what_ompl_refuses_is_an_ompl_error_with_its_message) {
     const auto space = std::make_shared<ompl::base::SE3StateSpace>();
@@ -44,7 +41,5 @@ BOOST_AUTO_TEST_CASE(what_plan_refuses_itself_is_an_argument_error) {
                       ArgumentError);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -3,10 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(ompl_states_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(half_a_turn_either_way_is_within_the_planar_space) {
     const Box bounds(Vector3(-1, -1, 0), Vector3(1, 1, 0));
@@ -22,7 +19,5 @@ BOOST_AUTO_TEST_CASE(half_a_turn_either_way_is_within_the_planar_space) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -15,10 +15,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(outside_goal_test)
-
-namespace {
 
 /// A goal for the window's plate, in a space with these bounds.
 struct Outdoors {
@@ -181,7 +178,5 @@ BOOST_AUTO_TEST_CASE(a_goal_in_another_space_is_refused) {
     BOOST_CHECK_THROW(OutsideGoal(nullptr, window.scene, {}, {}), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

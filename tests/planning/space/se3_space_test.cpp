@@ -14,10 +14,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(se3_space_test)
-
-namespace {
 
 namespace ob = ompl::base;
 
@@ -88,7 +85,5 @@ BOOST_AUTO_TEST_CASE(a_motion_validator_takes_it_for_se3) {
     BOOST_TEST(!validator.checkMotion(start.get(), goal.get()));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -11,10 +11,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(shared_scene_test)
-
-namespace {
 
 /// Checks and costs of random motions, by turns.
 struct Answers {
@@ -37,8 +34,6 @@ Answers answersOf(const Fixture& f, const ValidityChecker& checker, const Motion
     }
     return answers;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_shared_answers_as_what_is_not) {
     const testing::MotionWindow f;
@@ -133,5 +128,4 @@ BOOST_AUTO_TEST_CASE(a_setup_and_a_plan_have_one_scene) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

@@ -15,10 +15,7 @@
 #include "support/words.h"
 
 namespace clearway::planning {
-
 BOOST_AUTO_TEST_SUITE(state_to_pose_test)
-
-namespace {
 
 namespace ob = ompl::base;
 
@@ -98,7 +95,5 @@ BOOST_AUTO_TEST_CASE(another_space_is_refused_by_its_name) {
     testing::requireRefusedBy([&] { stateToPose(*space); }, {"'gantry'"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

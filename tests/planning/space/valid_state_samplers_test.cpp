@@ -32,8 +32,6 @@ struct SeededSamples {
 
 BOOST_AUTO_TEST_SUITE(valid_state_samplers_test, *boost::unit_test::fixture<SeededSamples>())
 
-namespace {
-
 using Fixture = testing::MotionWindow;
 
 /// States from the sampler, each checked to be valid.
@@ -149,7 +147,5 @@ BOOST_AUTO_TEST_CASE(a_problem_names_them_as_it_names_those_of_ompl) {
                               {"narrow_gap"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::planning

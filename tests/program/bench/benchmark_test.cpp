@@ -12,10 +12,7 @@
 #include "support/words.h"
 
 namespace clearway::study {
-
 BOOST_AUTO_TEST_SUITE(benchmark_test)
-
-namespace {
 
 using testing::TemporaryFolder;
 using testing::windowScene;
@@ -271,7 +268,5 @@ BOOST_AUTO_TEST_CASE(the_log_keeps_its_form_whatever_values_hold) {
     BOOST_TEST(log.planners[1].runs.empty());
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::study

@@ -6,10 +6,7 @@
 #include "support/window_scene.h"
 
 namespace clearway::study {
-
 BOOST_AUTO_TEST_SUITE(run_text_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(a_benchmarks_run_is_read_as_it_was_told) {
     EndedRun told;
@@ -45,7 +42,5 @@ BOOST_AUTO_TEST_CASE(a_text_that_is_no_run_is_refused) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::study

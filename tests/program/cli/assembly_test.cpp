@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(assembly_test)
-
-namespace {
 
 using cli::PartPair;
 
@@ -191,7 +188,5 @@ BOOST_AUTO_TEST_CASE(the_pump_in_data_is_as_it_is_made_and_its_parts_touch_as_de
     BOOST_TEST(contacts == 3u);  // post, hub and pot stand on the base
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

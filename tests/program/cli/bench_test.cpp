@@ -10,8 +10,6 @@ using study::readBenchmarkLog;
 
 BOOST_AUTO_TEST_SUITE(bench_test)
 
-namespace {
-
 /// Two planners, one run each.
 struct BenchFolder : WindowProblemFolder {
     BenchFolder() {
@@ -127,7 +125,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_and_exit_code_2) {
     refused("", {"range", "'far'", "a number"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

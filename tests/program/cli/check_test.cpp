@@ -6,10 +6,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(check_test)
-
-namespace {
 
 /// With a path through the wall's window that keeps clear of it.
 struct CheckFolder : WindowProblemFolder {
@@ -26,8 +23,6 @@ struct CheckFolder : WindowProblemFolder {
         return {window.problem.start, at(-40), at(40), window.problem.goal};
     }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_valid_path_is_0_with_a_table_and_a_plot_of_80_columns) {
     const CheckFolder folder;
@@ -214,5 +209,4 @@ BOOST_AUTO_TEST_CASE(states_too_far_for_any_query_are_refused_in_one_line) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

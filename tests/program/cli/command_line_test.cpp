@@ -9,12 +9,9 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(command_line_test)
 
 using namespace cli;
-
-namespace {
 
 /// One command line with an argument of each kind, and what it read.
 struct Read {
@@ -42,8 +39,6 @@ std::string refusal(const Arguments& words) {
 bool begins(const std::string& text, const std::string& with) {
     return text.compare(0, with.size(), with) == 0;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_value_stands_behind_its_option_or_behind_an_equals_sign) {
     const Read read({"--out", "a.png", "p.cfg", "--view=top", "--short", "in.path", "--view", "a=b"});
@@ -104,5 +99,4 @@ BOOST_AUTO_TEST_CASE(the_second_interrupt_ends_the_program_at_once) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

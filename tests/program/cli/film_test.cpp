@@ -5,10 +5,7 @@
 #include "program/cli/window_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(film_test)
-
-namespace {
 
 constexpr const char* kFrames =
     "render window.cfg in.path --frames film --seconds 0.5 --fps 8 --size 64x40 --samples 1";
@@ -20,8 +17,6 @@ std::vector<std::string> framesIn(const TemporaryFolder& folder) {
     std::sort(names.begin(), names.end());
     return names;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(frames_are_numbered_pictures_of_the_whole_motion) {
     const WindowFolder folder;
@@ -106,5 +101,4 @@ BOOST_AUTO_TEST_CASE(an_interrupt_leaves_no_picture_and_no_frames) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -3,10 +3,7 @@
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(info_test)
-
-namespace {
 
 const std::string kProblem = R"([problem]
 name = demo
@@ -172,7 +169,5 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_refused) {
     requireRefused(folder, "info part.obj > /dev/full", {"standard output"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -8,10 +8,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(init_test)
-
-namespace {
 
 Mesh named(const Mesh& mesh, const std::string& name, const Vector3& place) {
     return testing::named(translated(mesh, place), name);
@@ -360,7 +357,5 @@ BOOST_AUTO_TEST_CASE(the_rest_of_an_assembly_is_never_lost) {
     BOOST_CHECK_THROW(loadPart(problem), std::invalid_argument);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

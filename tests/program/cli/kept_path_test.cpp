@@ -2,10 +2,7 @@
 #include "support/invalid_words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(kept_path_test)
-
-namespace {
 
 struct KeptFolder : WindowProblemFolder {
     KeptFolder() {
@@ -95,7 +92,5 @@ BOOST_AUTO_TEST_CASE(a_new_path_replaces_the_old_one_and_wrong_usage_leaves_it) 
     BOOST_TEST(readText(folder.file("out.path.old")) == "");
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

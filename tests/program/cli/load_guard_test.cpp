@@ -13,12 +13,9 @@
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(load_guard_test)
 
 using namespace cli;
-
-namespace {
 
 /// Runs a guarded load of the file "a\nb.ply" in a process of its own. Returns its exit code and stderr.
 Outcome guarded(const std::function<void()>& load) {
@@ -49,8 +46,6 @@ __attribute__((noinline)) int deeper(int level) {
     frame[0] = static_cast<char>(depth);
     return depth < 0 ? frame[0] : deeper(depth + 1) + frame[0];
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_crash_ends_with_code_2_and_one_line_that_names_the_file) {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
@@ -125,5 +120,4 @@ BOOST_AUTO_TEST_CASE(large_files_are_given_more_time) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

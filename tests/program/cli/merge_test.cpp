@@ -10,8 +10,6 @@ using study::readBenchmarkLog;
 
 BOOST_AUTO_TEST_SUITE(merge_test)
 
-namespace {
-
 /// Logs of the window: a.log and b.log as a job array makes them, and whole.log with the runs of both.
 struct LogFolder : WindowProblemFolder {
     LogFolder() {
@@ -132,7 +130,5 @@ BOOST_AUTO_TEST_CASE(logs_that_do_not_belong_together_are_refused_by_name) {
     refused("moved.log", {"moved.log has 'hash_of_files VARCHAR = "});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -4,10 +4,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(obstacles_test)
-
-namespace {
 
 /// The plate rests on a block before the wall with the window. The goal is a block behind the wall.
 struct AssemblyFolder : WindowProblemFolder {
@@ -165,7 +162,5 @@ BOOST_AUTO_TEST_CASE(names_that_are_none_are_refused_with_those_there_are) {
     requireRefused(folder, kPlan, {"none.obj"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

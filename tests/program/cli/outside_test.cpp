@@ -1,10 +1,7 @@
 #include "program/cli/window_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(outside_test)
-
-namespace {
 
 /// The window's plate, to be brought beyond the wall. The file out.cfg states no bounds.
 struct OutsideFolder : WindowProblemFolder {
@@ -65,7 +62,5 @@ BOOST_AUTO_TEST_CASE(bounds_without_room_and_contradictions_are_refused_in_one_l
                    {"posed.cfg:2", "goal.x is '3'", "expected no such key", "[clearway] goal"});
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

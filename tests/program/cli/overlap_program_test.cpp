@@ -10,10 +10,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(overlap_program_test)
-
-namespace {
 
 /// A block that sits 0.03 deep in a floor.
 struct SunkFolder : TemporaryFolder {
@@ -264,7 +261,5 @@ BOOST_AUTO_TEST_CASE(thin_places_are_told_and_two_margins_refused) {
     BOOST_TEST(holds(thin.err, "thin places of the part allow less, down to about 0.04"), thin.err);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

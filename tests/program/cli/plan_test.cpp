@@ -8,10 +8,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(plan_test)
-
-namespace {
 
 constexpr const char* kPlan = "plan window.cfg --path out.path --iterations 200000";
 
@@ -241,7 +238,5 @@ BOOST_AUTO_TEST_CASE(a_proof_that_there_is_no_path_is_told_at_once) {
     BOOST_TEST(holds(row(told, "nearest"), "not written"), told.out);
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

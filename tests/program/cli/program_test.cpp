@@ -12,7 +12,6 @@
 #include "program/options/print.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(program_test)
 
 BOOST_AUTO_TEST_CASE(every_subcommand_that_help_lists_has_its_own_help) {
@@ -107,5 +106,4 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_is_an_error_and_not_a_signal) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -7,10 +7,7 @@
 #include "program/cli/run_program.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(query_test)
-
-namespace {
 
 /// Boxes: the part from -1 to 1, the environment from -2 to 2.
 struct BoxesFolder : TemporaryFolder {
@@ -61,8 +58,6 @@ constexpr const char* kDistanceHeader =
     "pose,distance,lower,upper,part_triangle,environment_triangle,nanoseconds,x,y,z,qx,qy,qz,qw,"
     "part_mesh,part_x,part_y,part_z,environment_mesh,environment_x,environment_y,environment_z";
 constexpr const char* kVerdictHeader = "pose,verdict,nanoseconds,x,y,z,qx,qy,qz,qw";
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(distances_come_one_row_a_pose_with_their_interval_and_triangles) {
     const BoxesFolder folder;
@@ -334,5 +329,4 @@ BOOST_FIXTURE_TEST_CASE(a_cache_that_cannot_be_written_is_one_warning, BoxesFold
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

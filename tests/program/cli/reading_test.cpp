@@ -9,10 +9,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(reading_test)
-
-namespace {
 
 Mesh body(const Vector3& half, const Vector3& place) {
     return named(translated(box(half), place), "Body");
@@ -28,8 +25,6 @@ struct BodyFolder : TemporaryFolder {
         saveMesh(mesh, file(name + ending));
     }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_verdict_says_that_assimp_alone_read_a_mesh) {
     const BodyFolder folder;
@@ -96,5 +91,4 @@ BOOST_AUTO_TEST_CASE(polygons_that_are_left_out_or_bent_are_warned_of) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -1,18 +1,13 @@
 #include "program/cli/window_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(render_test)
-
-namespace {
 
 constexpr const char* kRender = "render window.cfg in.path --out out.png --size 160x90 --samples 1";
 
 std::string added(const std::string& more) {
     return std::string(kRender) + " " + more;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_picture_of_the_size_asked_for_is_written_and_each_pose_told) {
     const WindowFolder folder;
@@ -101,5 +96,4 @@ BOOST_AUTO_TEST_CASE(a_picture_never_replaces_a_file_that_is_read) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -3,10 +3,7 @@
 #include "support/assembled_problems.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(touching_test)
-
-namespace {
 
 BOOST_AUTO_TEST_CASE(the_advised_overlap_brings_each_touching_part_out) {
     for (const AssembledProblem& problem : touchingProblems()) {
@@ -34,7 +31,5 @@ BOOST_AUTO_TEST_CASE(the_advised_overlap_brings_each_touching_part_out) {
     }
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

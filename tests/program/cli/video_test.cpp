@@ -5,10 +5,7 @@
 #include "program/cli/window_folder.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(video_test)
-
-namespace {
 
 constexpr const char* kFilm = "render window.cfg in.path --seconds 0.5 --fps 10 --size 65x41 --samples 1";
 
@@ -29,8 +26,6 @@ std::string probed(const std::string& file) {
     const std::string said = readText(caught.file("out"));
     return said.substr(0, said.find('\n'));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_film_has_its_pictures_its_size_and_its_pace) {
     if (!hasFfmpeg()) return;
@@ -78,5 +73,4 @@ BOOST_AUTO_TEST_CASE(what_ffmpeg_says_when_it_fails_is_told) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -6,10 +6,7 @@
 #include "support/random_meshes.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(why_no_path_test)
-
-namespace {
 
 /// The closed box as files.
 struct DoorFolder : TemporaryFolder {
@@ -168,7 +165,5 @@ BOOST_AUTO_TEST_CASE(an_end_at_a_derived_bound_is_told_with_the_key_that_moves_t
     BOOST_TEST(holds(row(outcome, "hint"), "volume.max.x in the problem file"));
 }
 
-}  // namespace
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -5,12 +5,9 @@
 #include <cmath>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(colour_test)
 
 using namespace render;
-
-namespace {
 
 constexpr int kSteps = 64;
 
@@ -31,8 +28,6 @@ Colour asSeenWithout(int cone, const Colour& linear) {
     if (cone == 1) cones[1] = 0.494207f * cones[0] + 1.24827f * cones[2];
     return toCones.inverse() * cones;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_scale_gets_darker_all_the_way_whoever_looks_at_it) {
     for (int viewer = -1; viewer < 2; ++viewer) {
@@ -89,5 +84,4 @@ BOOST_AUTO_TEST_CASE(a_scale_holds_all_clearances_or_tells_the_tight_ones_apart)
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -6,12 +6,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(films_test)
 
 using namespace render;
-
-namespace {
 
 /// The wall with its window, seen from beside, and the plate on its way through it.
 struct Motion {
@@ -48,8 +45,6 @@ int differences(const Image& a, const Image& b) {
     return count;
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(pictures_of_a_film_show_the_part_at_different_places) {
     const Motion motion;
     Film film = motion.film();
@@ -69,5 +64,4 @@ BOOST_AUTO_TEST_CASE(a_stopped_film_has_no_pictures) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

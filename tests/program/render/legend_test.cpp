@@ -4,12 +4,9 @@
 #include <set>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(legend_test)
 
 using namespace render;
-
-namespace {
 
 constexpr Sign kAllSigns[] = {Sign::kStart, Sign::kGoal,    Sign::kBetween, Sign::kMoving,
                               Sign::kWay,   Sign::kContact, Sign::kOverlap, Sign::kMeeting};
@@ -25,8 +22,6 @@ PosedPart posedAs(PoseRole role) {
     pose.role = role;
     return pose;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_sign_has_words_and_a_drawing_of_its_own) {
     std::set<std::string> words;
@@ -80,5 +75,4 @@ BOOST_AUTO_TEST_CASE(the_legend_stays_right_of_the_scene_and_in_the_picture) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -9,12 +9,9 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(pictures_test)
 
 using namespace render;
-
-namespace {
 
 constexpr int kWidth = 240, kHeight = 160;
 
@@ -68,8 +65,6 @@ int count(const Image& image, const std::function<bool(const Colour&)>& isSo) {
     }
     return counted;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_part_is_seen_in_the_colour_of_its_clearance) {
     Shot shot;
@@ -378,5 +373,4 @@ BOOST_AUTO_TEST_CASE(wrong_options_are_refused_by_name) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

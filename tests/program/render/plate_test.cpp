@@ -6,7 +6,6 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(plate_test)
 
 using namespace render;
@@ -57,5 +56,4 @@ BOOST_AUTO_TEST_CASE(a_plate_is_refused_when_its_rays_would_fill_the_memory) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

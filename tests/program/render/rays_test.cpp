@@ -7,12 +7,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(rays_test)
 
 using namespace render;
-
-namespace {
 
 /// The plate, 60 x 40 x 10, at the origin and once more, turned upright, at x = 100.
 struct TwoPlates {
@@ -28,8 +25,6 @@ struct TwoPlates {
 };
 
 constexpr auto kClose = 1e-4f;
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_nearest_body_is_met_where_it_stands) {
     const TwoPlates plates;
@@ -97,5 +92,4 @@ BOOST_AUTO_TEST_CASE(a_camera_takes_all_points_in_and_stands_no_farther_off_than
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

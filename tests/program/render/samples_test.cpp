@@ -4,7 +4,6 @@
 #include <set>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(samples_test)
 
 using namespace render;
@@ -33,5 +32,4 @@ BOOST_AUTO_TEST_CASE(pixels_have_samples_of_their_own) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -5,12 +5,9 @@
 #include <random>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(smooth_light_test)
 
 using namespace render;
-
-namespace {
 
 constexpr int kSide = 32;
 constexpr unsigned kSeed = 7;
@@ -49,8 +46,6 @@ struct Wall {
     }
 };
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(grain_goes_and_bodies_keep_their_own_light) {
     BOOST_TEST_MESSAGE("seed " << kSeed);
     Wall wall;
@@ -87,5 +82,4 @@ BOOST_AUTO_TEST_CASE(light_does_not_cross_an_edge_or_a_shadow) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -6,12 +6,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(surface_test)
 
 using namespace render;
-
-namespace {
 
 double areaOf(const Surface& surface) {
     double area = 0;
@@ -24,8 +21,6 @@ double areaOf(const Surface& surface) {
 
 const Mesh plate = windowScene().partMesh;  // 60 x 40 x 10
 constexpr double kPlateArea = 2 * (60 * 40 + 60 * 10 + 40 * 10);
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(coordinates_are_moved_and_scaled) {
     const Surface surface = surfaceOf(plate, {30, 20, 5}, 0.1);
@@ -61,5 +56,4 @@ BOOST_AUTO_TEST_CASE(a_cut_leaves_what_is_on_its_other_side_and_no_more) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(coding_test)
 
 using namespace report;
@@ -27,5 +26,4 @@ BOOST_AUTO_TEST_CASE(html_has_no_markup_of_the_texts_own) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

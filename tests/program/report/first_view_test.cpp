@@ -5,13 +5,10 @@
 #include "clearway/mesh.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(first_view_test)
 
 using namespace report;
 using Eigen::Vector3f;
-
-namespace {
 
 /// Rays past a plate from one corner to the other.
 struct Plates {
@@ -29,8 +26,6 @@ ViewRequest requestAlong(const Vector3f& along) {
 }
 
 const Box kFarAway(Vector3(500, 500, 500), Vector3(501, 501, 501));
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(where_nothing_is_hidden_the_usual_direction_is_chosen) {
     const Plates none({kFarAway});
@@ -77,5 +72,4 @@ BOOST_AUTO_TEST_CASE(a_gap_is_looked_at_exactly_along_itself) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -7,12 +7,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(frames_test)
 
 using namespace report;
-
-namespace {
 
 /// A straight path through the window.
 struct Way {
@@ -26,8 +23,6 @@ struct Way {
     }
     PathLine line() const { return {path, window.scene.part.radiusAboutOrigin()}; }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_state_of_the_path_is_a_frame_and_frames_are_in_order) {
     const Way way;
@@ -137,5 +132,4 @@ BOOST_AUTO_TEST_CASE(a_pose_out_of_the_environments_reach_is_a_frame_of_which_no
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -7,12 +7,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(obstacle_clearances_test)
 
 using namespace report;
-
-namespace {
 
 /// A straight path through the window.
 struct StraightPath {
@@ -31,8 +28,6 @@ struct StraightPath {
         return obstacleClearances(window.scene, window.wallMesh, frames, most);
     }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_least_clearance_to_each_obstacle_is_that_of_its_distances_at_the_frames) {
     StraightPath way;
@@ -97,5 +92,4 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_there_is_no_clearance) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

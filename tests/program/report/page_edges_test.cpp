@@ -6,12 +6,9 @@
 #include "clearway/mesh.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(page_edges_test)
 
 using namespace report;
-
-namespace {
 
 std::vector<OwnedTriangle> owned(const std::vector<TriangleIndices>& triangles) {
     std::vector<OwnedTriangle> result;
@@ -35,8 +32,6 @@ Mesh tube(std::uint32_t sides) {
 std::size_t edgesOf(const Mesh& mesh) {
     return featureEdges(mesh.vertices, owned(mesh.triangles)).size();
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_box_shows_its_12_edges_and_no_diagonals) {
     const Mesh box = boxMesh(Box(Vector3(0, 0, 0), Vector3(1, 2, 3)));
@@ -86,5 +81,4 @@ BOOST_AUTO_TEST_CASE(the_longest_edges_are_kept) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

@@ -7,12 +7,9 @@
 #include "support/window_scene.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(page_mesh_test)
 
 using namespace report;
-
-namespace {
 
 const Mesh wall = windowScene().wallMesh;  // 432 triangles
 
@@ -33,8 +30,6 @@ double largestError(const PageMesh& page, const Mesh& mesh) {
     }
     return largest;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_small_mesh_is_kept_whole_but_for_16_bits) {
     const PageMesh page = pageMeshOf(wall, {432, kAllEdges});
@@ -97,5 +92,4 @@ BOOST_AUTO_TEST_CASE(a_flat_mesh_has_a_place_in_its_plane) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing

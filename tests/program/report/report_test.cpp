@@ -11,12 +11,9 @@
 #include "support/words.h"
 
 namespace clearway::testing {
-
 BOOST_AUTO_TEST_SUITE(report_test)
 
 using namespace report;
-
-namespace {
 
 struct Written {
     TemporaryFolder folder;
@@ -45,8 +42,6 @@ struct Written {
         return FloatJson::parse(page.substr(begin, page.find("</script>", begin) - begin));
     }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_page_is_whole_and_asks_for_no_other_file) {
     const Written written("A path");
@@ -126,5 +121,4 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_not_there_is_told_by_name) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
 }  // namespace clearway::testing
