@@ -76,7 +76,7 @@ class Audit:
     verdict: str
     """"valid", "invalid" or "undecided" (neither proved nor refuted, which counts as invalid)."""
     lower_clearance: float
-    """No pose of the path has a clearance, distance less margin, below this."""
+    """No pose of the path has a clearance below this: distance less margin, or where overlaps are allowed, that of the shrunk part."""
     upper_clearance: float
     """Some pose of the path has at most this clearance."""
     length: float

@@ -103,7 +103,7 @@ void tellCheck(const Problem& problem, const Scene& scene, const planning::PathC
                {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
                {"queries", std::to_string(audit.queries)}});
     printAudit(audit, scene);
-    facts()["audit"] = toJson(audit);
+    facts()["audit"] = toJson(audit, scene);
     tell({shownIf(!audit.isValid(),
                   {"valid",
                    fmt::format("at least {} % of the length: each segment counts up to where it is not valid",
@@ -114,9 +114,9 @@ void tellCheck(const Problem& problem, const Scene& scene, const planning::PathC
     printEnds(problem, check, options.isAnyEnds);
     if (options.isBrief) return;
     std::cout << "\n";
-    printSegments(audit);
+    printSegments(audit, scene);
     std::cout << "\n";
-    printProfile(audit);
+    printProfile(audit, scene);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "core/clock.h"
 #include "core/number.h"
 #include "mesh/components.h"
+#include "problem/clearance_word.h"
 #include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
 #include "program/cli/lift.h"
@@ -121,17 +122,19 @@ WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clear
     const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
     tell({{label,
+    const std::string word = clearanceWord(clearance.scene());
            !why.isValid()         ? "NOT valid: " + why.words()
            : std::isinf(at.lower) ? "valid, with nothing near"
            : !at.nearest.witness
-               ? "valid, clearance " + shownLength(at.lower) + " or more" + leftOutAt(at)
-               : fmt::format("valid, clearance {}, between '{}' and '{}'{}", shownLength(at.lower),
-                             names.part, names.environment, leftOutAt(at)),
+               ? fmt::format("valid, {} {} or more{}", word, shownLength(at.lower), leftOutAt(at))
+               : fmt::format("valid, {} {}{}, between '{}' and '{}'{}", word, shownLength(at.lower),
+                             slackLimit(clearance.scene(), at.nearest), names.part, names.environment,
+                             leftOutAt(at)),
            "at_" + end,
            {{"valid", why.isValid()},
             {"kind", nameOf(why.kind)},
             {"why_not", why.isValid() ? Json() : Json(why.words())},
-            {"clearance", toJson(at.lower)},
+            {word, toJson(at.lower)},
             {"pair", closestPair(at.nearest, names.part, names.environment)}}}});
     const auto& obstacles = clearance.scene().obstacles;
     const bool mayTouch = clearance.distance(X_environmentPart).collides() ||

@@ -49,14 +49,13 @@ Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environme
     return rows;
 }
 
-Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit) {
+Rows pathRows(const std::vector<PartState>& path, const planning::PathAudit& audit, const Scene& scene) {
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
     Rows rows = {{"states", std::to_string(path.size())},
                  {"length", shownLength(audit.length)},
-                 {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
-                 {"least clearance", leastClearanceOf(audit)}};
-    for (const auto& row : deflectionRows()) rows.push_back(row);
-    for (const auto& row : contactRows(audit)) rows.push_back(row);
+                 {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"}};
+    for (const Rows& more : {leastClearanceRow(audit, scene), deflectionRows(), contactRows(audit)})
+        rows.insert(rows.end(), more.begin(), more.end());
     if (!closest.partMesh.empty()) {
         rows.push_back({"there", fmt::format("{} and {}, segment {}", closest.partMesh,
                                              closest.environmentMesh, audit.closest + 1)});
@@ -101,9 +100,9 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
     input.unit = problem.unit;
     input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
-    input.tables.push_back(tableOf("Path", pathRows(path, audit)));
+    input.tables.push_back(tableOf("Path", pathRows(path, audit, scene)));
     if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));
-    input.tables.push_back(report::segmentTable(audit, path, scene.part.radiusAboutOrigin(), input.unit));
+    input.tables.push_back(report::segmentTable(audit, path, scene));
     const report::WrittenReport written = writeReport(input, outputs.report);
     printRow("report", outputs.report + ", " + megabytes(written.bytes) +
                            (outputs.isOfMiss ? ", of the nearest miss" : ""));

@@ -283,7 +283,7 @@ void tellPath(const Facts& found, const PlanReport& report, const Problem& probl
               const std::string& file) {
     tell(found);
     printAudit(report.audit, scene);
-    facts()["audit"] = toJson(report.audit);
+    facts()["audit"] = toJson(report.audit, scene);
     if (report.isStopped) printRow("interrupted", "the path is the best so far");
     writeOrPrint(report.path, problem.space, file);
     printRow("path", file);

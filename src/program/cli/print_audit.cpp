@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "core/number.h"
+#include "problem/clearance_word.h"
 #include "program/cli/csv_cells.h"
 #include "program/report/frames.h"
 
@@ -68,18 +69,22 @@ std::string pairCells(const SceneClearance& clearance, const Pose& X_environment
 }
 
 /// Says where the path is closest. Points are in the environment's frame, as the pose is.
-void printClosest(const PathAudit& audit) {
+void printClosest(const PathAudit& audit, const Scene& scene) {
     const SegmentAudit& closest = audit.segments[audit.closest];
     const SceneDistance& pair = closest.motion.closest;
-    const auto point = [](const std::string& mesh, std::int64_t triangle, const Vector3& place) {
-        return "triangle " + std::to_string(triangle) + " of '" + mesh + "', at " + shownPlace(place);
+    const Obstacle& obstacle = scene.obstacles[*pair.obstacle];
+    const auto point = [](const std::string& mesh, std::int64_t triangle, bool isShrunk,
+                          const Vector3& place) {
+        return "triangle " + std::to_string(triangle) + " of '" + mesh +
+               (isShrunk ? "' as it is shrunk, at " : "', at ") + shownPlace(place);
     };
     printRow("  on the path",
              "segment " + std::to_string(audit.closest + 1) + " of " + std::to_string(audit.segments.size()) +
                  ", t = " + shortened(closest.motion.closestTime) + " (0 its start, 1 its end)");
-    printRow("  on the part", point(closest.partMesh, pair.witness->partTriangle, pair.witness->pointOnPart));
+    printRow("  on the part", point(closest.partMesh, pair.witness->partTriangle, obstacle.shrunk != nullptr,
+                                    pair.witness->pointOnPart));
     printRow("  on the obstacle", point(closest.environmentMesh, pair.witness->environmentTriangle,
-                                        pair.witness->pointOnEnvironment));
+                                        obstacle.shrunkBy > 0, pair.witness->pointOnEnvironment));
     const Eigen::Quaterniond q(closest.X_environmentPart.rotation);
     PartState state;
     state.position = closest.X_environmentPart.translation;
@@ -161,11 +166,23 @@ std::string leftOutAt(const PoseClearance& at) {
     return at.isInGoalContact ? ", leaving out the obstacles of contact.goal" : "";
 }
 
-std::string leastClearanceOf(const PathAudit& audit) {
-    if (std::isinf(audit.lowerClearance)) return "nothing to keep clear of";
+std::string slackLimit(const Scene& scene, const SceneDistance& nearest) {
+    if (!mayOverlap(scene) || !nearest.obstacle || !nearest.witness) return "";
+    const Obstacle& obstacle = scene.obstacles[*nearest.obstacle];
+    if (obstacle.overlap() > 0) return " before the overlap may exceed " + statedLength(obstacle.overlap());
+    return obstacle.margin > 0 ? " before the margin " + statedLength(obstacle.margin) + " is reached"
+                               : " before they touch";
+}
+
+Rows leastClearanceRow(const PathAudit& audit, const Scene& scene) {
     const std::string least = shortened(audit.lowerClearance);
-    if (std::isinf(audit.upperClearance)) return inUnit(least) + " or more";
-    return inUnit(least + " to " + shortenedUp(audit.upperClearance));
+    return {
+        {std::string("least ") + clearanceWord(scene),
+         std::isinf(audit.lowerClearance) ? "nothing to keep clear of"
+         : std::isinf(audit.upperClearance)
+             ? inUnit(least) + " or more"
+             : inUnit(least + " to " + shortenedUp(audit.upperClearance)) +
+                   (audit.isValid() ? slackLimit(scene, audit.segments[audit.closest].motion.closest) : "")}};
 }
 
 void printAudit(const PathAudit& audit, const Scene& scene) {
@@ -181,14 +198,14 @@ void printAudit(const PathAudit& audit, const Scene& scene) {
     }
     printRows(contactRows(audit));
     const SegmentAudit& closest = audit.segments[audit.closest];
-    printRow("least clearance", leastClearanceOf(audit));
+    printRows(leastClearanceRow(audit, scene));
     printRows(deflectionRows());
-    if (!closest.partMesh.empty()) printClosest(audit);
+    if (!closest.partMesh.empty()) printClosest(audit, scene);
 }
 
-void printSegments(const PathAudit& audit) {
+void printSegments(const PathAudit& audit, const Scene& scene) {
     if (!usedUnit().empty()) std::cout << "Lengths in " << usedUnit() << ", rotations in degrees\n";
-    printCells("segment", "verdict", "length", "rotation", "clearance", "at t",
+    printCells("segment", "verdict", "length", "rotation", clearanceWord(scene), "at t",
                "between (triangles, from 0)");
     for (std::size_t k = 0; k < audit.segments.size(); ++k) {
         const SegmentAudit& segment = audit.segments[k];
@@ -205,11 +222,11 @@ void printSegments(const PathAudit& audit) {
     }
 }
 
-void printProfile(const PathAudit& audit) {
+void printProfile(const PathAudit& audit, const Scene& scene) {
     if (audit.profile.empty() || !(audit.profile.back().travel > 0)) return;
     const std::vector<Column> columns = columnsOf(audit.profile);
     const std::vector<double> levels = levelsOf(columns);
-    std::cout << "clearance along the path" << (usedUnit().empty() ? "" : ", " + usedUnit())
+    std::cout << clearanceWord(scene) << " along the path" << (usedUnit().empty() ? "" : ", " + usedUnit())
               << ": # certain, : found" << (audit.isValid() ? "" : ", x not valid, ? not certified") << "\n";
     for (int row = static_cast<int>(levels.size()) - 1; row >= 0; --row) {
         const double level = levels[static_cast<std::size_t>(row)] * (1 - 1e-12);
@@ -231,10 +248,10 @@ void writeProfile(const PathAudit& audit, const Scene& scene, const std::vector<
     const SceneClearance clearance(scene);
     const PathLine line(path, scene.part.radiusAboutOrigin());
     writeOut(file, [&](std::ostream& stream) {
-        stream << "segment,t,travel,clearance,clearance_to_next,x,y,z,qx,qy,qz,qw,part_mesh,part_triangle,"
-                  "part_x,"
-                  "part_y,part_z,environment_mesh,environment_triangle,environment_x,environment_y,"
-                  "environment_z\n";
+        stream << fmt::format(
+            "segment,t,travel,{0},{0}_to_next,x,y,z,qx,qy,qz,qw,part_mesh,part_triangle,part_x,part_y,part_z,"
+            "environment_mesh,environment_triangle,environment_x,environment_y,environment_z\n",
+            clearanceWord(scene));
         for (const PathProfilePoint& point : audit.profile) {
             const PartState state = line.at(report::shareIn(line, point.segment, point.time));
             stream << point.segment + 1 << "," << formatNumber(point.time) << ","

@@ -11,6 +11,7 @@
 
 #include "clearway/query.h"
 #include "core/number.h"
+#include "problem/clearance_word.h"
 #include "program/cli/film.h"
 #include "program/cli/overlaps.h"
 #include "program/cli/path_outputs.h"
@@ -186,15 +187,17 @@ void tellPose(double share, const PartState& state, const std::string& shown, co
 void tellPose(double share, const PartState& state, const Scene& scene, const PoseClearance& at,
               const WhyInvalid& why) {
     const MeshNames names = distinctMeshNames(scene, at.nearest);
+    const std::string word = clearanceWord(scene);
     const std::string between = !at.nearest.witness
                                     ? " or more"
-                                    : fmt::format(", between '{}' and '{}'", names.part, names.environment);
+                                    : fmt::format("{}, between '{}' and '{}'", slackLimit(scene, at.nearest),
+                                                  names.part, names.environment);
     tellPose(share, state,
              !why.isValid()         ? "NOT valid: " + why.words()
              : std::isinf(at.lower) ? "nothing to keep clear of"
-                                    : "clearance " + shownLength(at.lower) + between + leftOutAt(at),
+                                    : word + " " + shownLength(at.lower) + between + leftOutAt(at),
              {{"valid", at.isValid()},
-              {"clearance", toJson(at.lower)},
+              {word, toJson(at.lower)},
               {"pair", closestPair(at.nearest, names.part, names.environment)}});
 }
 
@@ -280,6 +283,7 @@ int render(const Arguments& arguments) {
     ProblemScenes scenes(problem, given.trees);
     const Mesh environment = shownEnvironment(problem, scenes.meshes().worlds);
     const Scene scene = scenes.scene(problem);
+    given.drawing.scaleTitle = clearanceWord(scene);
     printWarnings(problem.warnings);
     const SceneClearance clearance(scene);
     const PathLine line(states, scene.part.radiusAboutOrigin());

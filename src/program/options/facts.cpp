@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "model/obstacle_names.h"
+#include "problem/clearance_word.h"
 
 namespace clearway::cli {
 
@@ -213,12 +214,13 @@ Json toJson(const Model& model) {
     return json;
 }
 
-Json toJson(const planning::PathAudit& audit) {
+Json toJson(const planning::PathAudit& audit, const Scene& scene) {
+    const char* const clearance = clearanceWord(scene);
     Json json = {
         {"verdict", wordFor(audit.verdict)},
         {"length", toJson(audit.length)},
         {"rotation_degrees", toJson(audit.rotation * 180 / M_PI)},
-        {"clearance", {{"lower", toJson(audit.lowerClearance)}, {"upper", toJson(audit.upperClearance)}}}};
+        {clearance, {{"lower", toJson(audit.lowerClearance)}, {"upper", toJson(audit.upperClearance)}}}};
     const planning::SegmentAudit& closest = audit.segments[audit.closest];
     json["closest"] = {
         {"segment", audit.closest + 1},
@@ -234,7 +236,7 @@ Json toJson(const planning::PathAudit& audit) {
              {"valid_until_t", toJson(motion.certifiedTime)},
              {"length", toJson(segment.length)},
              {"rotation_degrees", toJson(segment.rotation * 180 / M_PI)},
-             {"clearance",
+             {clearance,
               {{"lower", toJson(motion.lowerClearance)}, {"upper", toJson(motion.upperClearance)}}},
              {"closest_t", toJson(motion.closestTime)},
              {"pair", closestPair(motion.closest, segment.partMesh, segment.environmentMesh)}});

@@ -84,7 +84,7 @@ Json toJson(const Box& box);
 Json toJson(const PartState& state);  ///< position, and quaternion in the order x, y, z, w
 Json toJson(const Pose& pose);        ///< as of its state
 Json toJson(const Model& model);
-Json toJson(const planning::PathAudit& audit);
+Json toJson(const planning::PathAudit& audit, const Scene& scene);
 
 /// Two closest triangles, counted from 0, and their closest points in the environment's frame; null without any.
 Json closestPair(const SceneDistance& closest, const std::string& partMesh,

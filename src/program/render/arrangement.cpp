@@ -249,6 +249,7 @@ void Arrangement::drawOver(Image& image, const std::vector<PosedPart>& marked) c
     Legend legend;
     legend.most = most_;
     legend.isCutOff = mostClearance_ > most_ * (1 + 1e-6);
+    legend.title = options_.scaleTitle;
     legend.unit = options_.unit;
     for (const PosedPart& pose : marked) {
         if (!pose.isInContact) legend.clearances.push_back(pose.clearance);

@@ -71,10 +71,10 @@ void drawTicks(const Layout& layout, const Legend& legend, double thin, int pict
     }
 }
 
-/// "clearance" and, below it, the unit.
-void drawTitle(const Layout& layout, const std::string& unit, int pictureWidth, InkMask& ink) {
-    std::vector<std::string> lines = {"clearance"};
-    if (!unit.empty()) lines.push_back("in " + unit);
+/// Draws the title and, below it, the unit.
+void drawTitle(const Layout& layout, const Legend& legend, int pictureWidth, InkMask& ink) {
+    std::vector<std::string> lines = {legend.title};
+    if (!legend.unit.empty()) lines.push_back("in " + legend.unit);
     const double room = pictureWidth - layout.left - 0.3 * layout.letters;
     const double letters = lettersFor(lines, layout.letters, room, ink);
     double y = layout.top - 1.4 * letters;
@@ -228,7 +228,7 @@ void drawLegend(const Legend& legend, Image& image) {
         const double y = layout.yOf(clearance / legend.most), x = layout.left - 0.35 * letters;
         ink.drawLine(x, y, x - 0.45 * letters, y, 0.28 * letters);
     }
-    drawTitle(layout, legend.unit, image.width, ink);
+    drawTitle(layout, legend, image.width, ink);
     ink.layOver(image, kTextColour);
     drawSigns(layout, legend.signs, image);
 }

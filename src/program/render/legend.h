@@ -21,11 +21,12 @@ std::string wordsOf(Sign sign);
 std::vector<Sign> signsOf(const std::vector<PosedPart>& poses, bool hasMover);
 
 struct Legend {
-    double most = 1;                 ///< clearance at the top of the scale
-    bool isCutOff = false;           ///< larger clearances have the colour at the top too
-    std::string unit;                ///< of the clearances; empty: unknown
-    std::vector<double> clearances;  ///< marked beside the scale
-    std::vector<Sign> signs;         ///< explained below the scale
+    double most = 1;                  ///< clearance at the top of the scale
+    bool isCutOff = false;            ///< larger clearances have the colour at the top too
+    std::string title = "clearance";  ///< above the scale
+    std::string unit;                 ///< of the clearances; empty: unknown
+    std::vector<double> clearances;   ///< marked beside the scale
+    std::vector<Sign> signs;          ///< explained below the scale
 };
 
 /// The area of the picture that the legend leaves to the scene.

@@ -41,8 +41,9 @@ struct RenderOptions {
     std::optional<CutPlane> cut;
     /// Clearance at the top of the colour scale. Default: see scaleFor().
     std::optional<double> scaleMost;
-    std::string unit;      ///< of lengths in the legend, such as "mm"; empty: unknown
-    bool hasAxes = false;  ///< the directions of x, y and z are drawn in a corner
+    std::string scaleTitle = "clearance";  ///< above the colour scale
+    std::string unit;                      ///< of lengths in the legend, such as "mm"; empty: unknown
+    bool hasAxes = false;                  ///< the directions of x, y and z are drawn in a corner
     /// Places in environment coordinates around which rings are drawn, over all that hides them.
     std::vector<Vector3> marks;
     bool marksContacts = false;  ///< whether the marks are contacts, too, not only overlaps

@@ -9,6 +9,7 @@
 
 #include "core/json.h"
 #include "mesh/components.h"
+#include "problem/clearance_word.h"
 #include "program/render/colour.h"
 #include "program/report/coding.h"
 #include "program/report/first_view.h"
@@ -74,7 +75,6 @@ void addClearance(const ObstacleClearance& clearance, FloatJson& object) {
         object["isIgnored"] = true;
         return;
     }
-    if (clearance.margin > 0) object["margin"] = clearance.margin;
     if (!std::isfinite(clearance.lower)) return;
     object[clearance.isMeasured ? "clearance" : "atLeast"] = clearance.lower;
     if (clearance.isMeasured) object["frame"] = clearance.frame;
@@ -157,6 +157,7 @@ class PageMaker {
                           {"contact", render::toSRgb(render::contactColour())},
                           {"scaleMost", render::scaleFor(least_, most_, hasContact_)},
                           {"most", most_},
+                          {"measure", clearanceWord(input_.scene)},
                           {"margin", input_.scene.largestMargin()},
                           {"tightest", tightest()},
                           {"certified", certifiedStretches(line_, input_.audit, kStretches)},
@@ -182,6 +183,12 @@ class PageMaker {
         if (!frame.whyInvalid.isValid()) json["trouble"] = nameOf(frame.whyInvalid.kind);
         if (frame.partMesh.empty()) return json;
         const SceneDistance& nearest = frame.clearance.nearest;
+        const Obstacle& obstacle = input_.scene.obstacles[*nearest.obstacle];
+        if (obstacle.margin > 0) json["margin"] = obstacle.margin;
+        if (obstacle.overlap() > 0) {
+            json["overlap"] = obstacle.overlap();
+            json["shrunk"] = obstacle.shrunk ? "part" : "obstacle";
+        }
         json["distance"] = (nearest.witness->pointOnPart - nearest.witness->pointOnEnvironment).norm();
         json["pair"] = {pointOf(nearest.witness->pointOnPart - origin_),
                         pointOf(nearest.witness->pointOnEnvironment - origin_)};
@@ -268,8 +275,14 @@ class PageMaker {
         const std::string unit = input_.unit.empty() ? "" : " " + input_.unit;
         return noteOn("environment", environment_, input_.environment.triangles.size(), unit) +
                noteOn("part", part_, input_.part.triangles.size(), unit) +
-               "Clearances are those of the original meshes: lower bounds of distance - margin. The line in "
-               "the view is the path of the middle of the part's box. " +
+               (mayOverlap(input_.scene)
+                    ? "Slack is how much farther the part may move. Toward obstacles that may overlap it, it "
+                      "is "
+                      "the distance between the original meshes when one of them is shrunk for that; "
+                      "otherwise "
+                      "distance - margin. All are lower bounds. "
+                    : "Clearances are those of the original meshes: lower bounds of distance - margin. ") +
+               "The line in the view is the path of the middle of the part's box. " +
                (input_.unit.empty() ? "Lengths are in the files' unit, which the problem does not name. "
                                     : "") +
                "Drawn with three.js (MIT licence), which this page contains.";

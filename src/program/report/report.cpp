@@ -10,6 +10,7 @@
 #include "core/embed.h"
 #include "core/number.h"
 #include "core/replace_file.h"
+#include "problem/clearance_word.h"
 #include "program/report/coding.h"
 #include "program/report/frames.h"
 #include "program/report/page_data.h"
@@ -84,12 +85,12 @@ WrittenReport writeReport(const ReportInput& input, const std::string& file) {
 }
 
 ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<PartState>& path,
-                         double turnRadius, const std::string& unit) {
+                         const Scene& scene) {
     ReportTable table;
     table.title = "Segments";
-    const std::string in = unit.empty() ? "" : " [" + unit + "]";
-    table.header = {"", "verdict", "length" + in, "clearance" + in, "closest pair"};
-    const PathLine line(path, turnRadius);
+    const std::string in = scene.unit.empty() ? "" : " [" + scene.unit + "]";
+    table.header = {"", "verdict", "length" + in, clearanceWord(scene) + in, "closest pair"};
+    const PathLine line(path, scene.part.radiusAboutOrigin());
     for (std::size_t i = 0; i < audit.segments.size(); ++i) {
         const planning::SegmentAudit& segment = audit.segments[i];
         const double clearance =

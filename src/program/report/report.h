@@ -37,12 +37,12 @@ struct WrittenReport {
 };
 
 /// Writes the page under a temporary name and renames it. Simplifies meshes that are too large for a page;
-/// the page states the largest displacement. Clearances are those of the original meshes. Throws
+/// the page states the largest displacement. Clearances are those of the original meshes, or slacks. Throws
 /// std::runtime_error when the file cannot be written.
 WrittenReport writeReport(const ReportInput& input, const std::string& file);
 
-/// The table of the audit's segments. unit: as in ReportInput.
+/// The table of the audit's segments, with the scene's unit.
 ReportTable segmentTable(const planning::PathAudit& audit, const std::vector<PartState>& path,
-                         double turnRadius, const std::string& unit = {});
+                         const Scene& scene);
 
 }  // namespace clearway::report

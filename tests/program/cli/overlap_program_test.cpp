@@ -53,7 +53,12 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     folder.problem("overlap = 0.045\n");
     const Outcome planned = runIn(folder, "plan p.cfg --quick --path o.path --report o.html");
     BOOST_TEST(planned.code == 0, planned.err);
-    BOOST_TEST(holds(readText(folder.file("o.html")), "Overlaps, where they are deepest"));
+    BOOST_TEST(holds(row(planned, "least slack"), "before the overlap may exceed 0.045"), planned.out);
+    BOOST_TEST(holds(row(planned, "  on the part"), "of 'block' as it is shrunk"), planned.out);
+    BOOST_TEST(!holds(planned.out, "clearance"), planned.out);
+    const std::string page = readText(folder.file("o.html"));
+    BOOST_TEST(holds(page, "Overlaps, where they are deepest", "\"measure\":\"slack\"", "least slack"));
+    BOOST_TEST(!holds(page, "least clearance"));
     for (const char* command :
          {"check p.cfg o.path", "render p.cfg o.path --out o.png --size 64x64 --samples 1"}) {
         const auto depth = factsOf(folder, command)["overlaps"][0]["depth"];
@@ -62,8 +67,16 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
         BOOST_TEST(depth["upper"].get<double>() <=
                    (depth["lower"].get<double>() + 0.1 * 0.045) * (1 + 1e-9));  // a tenth of the overlap
     }
-    const Outcome checked = runIn(folder, "check p.cfg o.path");
+    const Outcome checked = runIn(folder, "check p.cfg o.path --csv o.csv --json o.json");
     BOOST_TEST(holds(row(checked, "overlap"), "of 'floor', at 0 of the path"), checked.out);
+    BOOST_TEST(holds(checked.out, "slack along the path"), checked.out);
+    BOOST_TEST(!holds(checked.out, "clearance"), checked.out);
+    const auto audit = jsonIn(folder, "o.json")["audit"];
+    BOOST_TEST(audit["slack"]["lower"].get<double>() > 0);
+    BOOST_TEST((audit["segments"][0].contains("slack") && !audit.contains("clearance")));
+    BOOST_TEST(readText(folder.file("o.csv")).find("segment,t,travel,slack,slack_to_next,x,") == 0u);
+    const auto drawn = factsOf(folder, "render p.cfg o.path --out o.png --size 64x64 --samples 1");
+    BOOST_TEST(drawn["poses"][0]["slack"].get<double>() > 0);
     for (const char* how :
          {"--iterations 500", "--objective max_min_clearance --time 1"}) {  // they raise margins
         const Outcome roomy = runIn(folder, std::string("plan p.cfg --path r.path ") + how);
@@ -96,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_overlap_to_try_first_frees_a_thin_part) {
     const Outcome lifted = runIn(folder, "info p.cfg --lift");
     BOOST_TEST(holds(row(lifted, "frees the start"), "overlap = 0.0002"), lifted.out);
     folder.problem(row(lifted, "to try first") + "\n", "sheet.obj", 0.0048);
-    BOOST_TEST(holds(row(runIn(folder, "info p.cfg"), "at the start"), "valid, clearance"));
+    BOOST_TEST(holds(row(runIn(folder, "info p.cfg"), "at the start"), "valid, slack"));
 }
 
 /// An open part: the floor is shrunk in its place.

@@ -23,11 +23,12 @@ struct Written {
 
     explicit Written(const std::string& title, const std::string& unit = "") {
         const std::vector<PartState> path = {window.problem.start, window.problem.start};
+        window.scene.unit = unit;
         const auto audit = planning::checkPath(window.problem, window.scene, path).audit;
         ReportInput input{title, "fine", window.partMesh, window.wallMesh, window.scene, path, audit,
                           {},    unit};
         input.tables = {{"Figures", {}, {{"time", "3 </script> s"}, {"part", "Tr\xe4ger"}}, {}},
-                        segmentTable(audit, path, 1, unit)};
+                        segmentTable(audit, path, window.scene)};
         report = writeReport(input, folder.file("out.html"));
         page = readText(folder.file("out.html"));
     }

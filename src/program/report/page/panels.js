@@ -15,12 +15,12 @@ function closestRows(frame, isExact) {
   const side = (i, body) => {
     rows.push([`${body} mesh`, frame.between[i]]);
     rows.push([`${body} triangle`, `${frame.triangles[i]}, counted from 0 in its file`]);
-    rows.push([`${body} point`, shown(frame.points[i])]);
+    rows.push([`${frame.shrunk === body ? 'shrunk ' : ''}${body} point`, shown(frame.points[i])]);
   };
   if (frame.between) {
     side(0, 'part');
     side(1, 'obstacle');
-    rows.push(['distance', isExact ? `${frame.distance}` : lengthText(frame.distance)]);
+    rows.push([frame.shrunk ? `distance, ${frame.shrunk} shrunk` : 'distance', isExact ? `${frame.distance}` : lengthText(frame.distance)]);
   }
   rows.push(['pose: translation', shown(pose.slice(0, 3).join(' '))]);
   rows.push(['quaternion x y z w', shown(pose.slice(3).join(' '))]);
@@ -100,8 +100,8 @@ class ObstacleList {
 
   note(listed) {
     if (!listed) return '';
-    const margin = data.margin > 0 ? 'distance less margin' : 'distance';
-    return `Least clearance (${margin}) at the ${frames.length} places of the slider, a lower bound for each of them. ` +
+    const margin = data.measure === 'slack' ? 'see below' : data.margin > 0 ? 'distance less margin' : 'distance';
+    return `Least ${data.measure} (${margin}) at the ${frames.length} places of the slider, a lower bound for each of them. ` +
       'Between these places only the shaded profile is certified.' +
       (listed < objects.length ? ` Listed are the ${listed} nearest of ${objects.length} obstacles.` : '');
   }
@@ -121,7 +121,7 @@ class ObstacleList {
   words(index) {
     const object = objects[index];
     if (object.clearance === undefined) return '';
-    return object.trouble ? object.trouble + ' on the way' : `least clearance ${boundText(object.clearance)}`;
+    return object.trouble ? object.trouble + ' on the way' : `least ${data.measure} ${boundText(object.clearance)}`;
   }
 }
 

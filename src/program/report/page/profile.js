@@ -65,7 +65,7 @@ class Profile {
   }
 
   get title() {
-    const parts = [`clearance${data.unit ? ' in ' + data.unit : ''} along the way`];
+    const parts = [`${data.measure}${data.unit ? ' in ' + data.unit : ''} along the way`];
     if (data.certified.length) parts.push('shaded: certified between poses');
     if (frames.some((frame) => this.isCut(frame))) parts.push(`\u25b2 above ${lengthText(this.range[1])}: cut off`);
     return parts.join(' \u00b7 ');
@@ -173,7 +173,7 @@ function drawScale(context, width, height) {
   }
   fillContact(context, 8, bottom + 14, 14, 14);
   context.fillStyle = styleColour('ink');
-  context.fillText('clearance', 8, 14);
+  context.fillText(data.measure, 8, 14);
   if (data.unit) context.fillText(`in ${data.unit}`, 8, 27);
   const isOpen = data.most > data.scaleMost * (1 + 1e-6);
   for (let i = 0; i <= 4; ++i) {
@@ -181,5 +181,5 @@ function drawScale(context, width, height) {
     context.fillText(text, 27, bottom + (top - bottom) * i / 4 + 4);
   }
   context.fillText('in contact', 27, bottom + 20);
-  context.fillText(data.margin > 0 ? 'or too close' : '', 27, bottom + 32);
+  context.fillText(data.margin > 0 ? 'or too close' : data.measure === 'slack' ? 'or too deep' : '', 27, bottom + 32);
 }

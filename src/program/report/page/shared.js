@@ -106,18 +106,16 @@ function fillContact(context, x, y, width, height) {
 function clearanceWords(frame) {
   if (frame.isFree) return 'nothing to keep clear of';
   if (frame.trouble) return frame.trouble;
-  return 'clearance ' + (frame.clearance === null ? 'out of range' : boundText(frame.clearance));
+  return `${data.measure} ` + (frame.clearance === null ? 'out of range' : boundText(frame.clearance));
 }
 
 const turnedInAll = Math.round(frames[frames.length - 1].turned);
 const placeWords = (frame) => `at ${digits(100 * frame.share)} % of the way` +
   (turnedInAll ? `, turned ${Math.round(frame.turned)}\u00b0 of ${turnedInAll}\u00b0` : '');
 
-const marginOf = new Map(objects.map((object) => [object.name, object.margin ?? 0]));
-
-// The line below: how near, where a margin or a solid makes that differ from the clearance.
+// The line below: how near, where a margin or a solid makes that differ from the clearance; or what the slack is about.
 function distanceWords(frame) {
-  const margin = frame.between ? marginOf.get(frame.between[1]) : 0;
-  if (!frame.between || !frame.distance || !(frame.trouble || margin > 0)) return '';
-  return `distance ${lengthText(frame.distance)}` + (margin > 0 ? `, margin ${lengthText(margin)}` : '');
+  if (frame.overlap) return (frame.trouble ? 'allowed is an overlap of ' : 'before the overlap may exceed ') + lengthText(frame.overlap);
+  if (!frame.between || !frame.distance || !(frame.trouble || frame.margin)) return '';
+  return `distance ${lengthText(frame.distance)}` + (frame.margin ? `, margin ${lengthText(frame.margin)}` : '');
 }
