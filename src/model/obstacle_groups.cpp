@@ -222,21 +222,21 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     std::map<decltype(Treatment().key()), std::vector<std::size_t>> members;
     std::vector<std::size_t> ignored;
     ObstacleGroups result;
-    for (std::size_t i = 0; i < applied.treatments().size(); ++i) {
+    const std::vector<Component> components = componentsOf(all);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i].triangleCount == 0) continue;  // a part that moves is no obstacle
         const Treatment& treatment = applied.treatments()[i];
         if (treatment.isIgnored) result.ignored.push_back(names.components()[i].name);
         (treatment.isIgnored ? ignored : members[treatment.key()]).push_back(i);
     }
     if (!ignored.empty()) result.ignoredBox = boundingBox(meshOfComponents(all, ignored));
-    for (const auto& [key, components] : members) {
+    for (const auto& [key, alike] : members) {
         ObstacleGroup group;
         bool isSolid = false;
         std::tie(group.margin, group.overlap, isSolid, group.isIgnoredAtStart, group.isIgnoredAtGoal,
                  std::ignore) = key;
-        const bool isAll = components.size() == applied.treatments().size();
-        group.mesh = isAll ? all : meshOfComponents(all, components);
-        if (group.mesh.triangles.empty()) continue;
-        for (const std::size_t i : components) group.fileTriangles.push_back(fileTriangles[i]);
+        group.mesh = alike.size() == components.size() ? all : meshOfComponents(all, alike);
+        for (const std::size_t i : alike) group.fileTriangles.push_back(fileTriangles[i]);
         if (isSolid || group.overlap > 0) makeSolid(group, isSolid, result.notes);
         result.groups.push_back(std::move(group));
     }

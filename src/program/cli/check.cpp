@@ -98,7 +98,7 @@ void tellCheck(const Problem& problem, const Scene& scene, const planning::PathC
                const CheckOptions& options) {
     const planning::PathAudit& audit = check.audit;
     const double share = validShare(scene, audit);
-    tellScene(scene);
+    tellScene(problem, scene);
     printRows({{"length", shownLength(audit.length)},
                {"rotation", readable(audit.rotation * 180 / M_PI) + " degrees"},
                {"queries", std::to_string(audit.queries)}});

@@ -21,6 +21,7 @@
 #include "program/cli/lift.h"
 #include "program/cli/mesh_facts.h"
 #include "program/cli/overlaps.h"
+#include "program/cli/path_outputs.h"
 #include "program/cli/print_audit.h"
 #include "program/options/facts.h"
 #include "program/options/load_guard.h"
@@ -194,7 +195,9 @@ void describeProblemFile(const std::string& file, const BuildOptions& tree) {
     const Problem problem = readJudged(file);
     ProblemScenes scenes(problem, {tree, ""});
     const Mesh& part = scenes.meshes().part;
-    const Mesh environment = joinedEnvironment(scenes.meshes().worlds);
+    Problem alike = problem;
+    alike.rules = {};
+    const Mesh environment = shownEnvironment(alike, scenes.meshes().worlds);  // without what moves
     describeProblem(problem, boundingBox(environment), boundingBox(part));
     tellObstacles(obstaclesOf(problem, scenes.meshes().worlds));
     const auto [partModel, collidesAtStart] = describeEnds(problem, scenes);

@@ -35,14 +35,14 @@ std::string shortName(const std::string& file) {
     return std::filesystem::path(file).filename().string();
 }
 
-Rows problemRows(const Problem& problem, const Mesh& part, const Mesh& environment) {
+Rows problemRows(const Problem& problem, const Model& partModel, const Mesh& part, const Mesh& environment) {
     std::string worlds;
     for (const std::string& file : worldFiles(problem)) worlds += shortName(file) + ", ";
-    Rows rows = {
-        {"problem", shortName(problem.file)},
-        {"part", shortName(problem.meshes.robot) + ", " + counted(part.triangles.size(), "triangle")},
-        {"environment", worlds + counted(environment.triangles.size(), "triangle")},
-        {"margin", statedLength(problem.margin)}};
+    Rows rows = {{"problem", shortName(problem.file)},
+                 {"part", movingNames(problem, partModel) + shortName(problem.meshes.robot) + ", " +
+                              counted(part.triangles.size(), "triangle")},
+                 {"environment", worlds + counted(environment.triangles.size(), "triangle")},
+                 {"margin", statedLength(problem.margin)}};
     for (const Mesh* mesh : {&part, &environment}) {
         for (const std::string& warning : mesh->origin.warnings) rows.push_back({"warning", warning});
     }
@@ -98,7 +98,7 @@ void writePage(const Problem& problem, const Mesh& part, const Mesh& environment
         audit,
         {}};
     input.unit = problem.unit;
-    input.tables.push_back(tableOf("Problem", problemRows(problem, part, environment)));
+    input.tables.push_back(tableOf("Problem", problemRows(problem, scene.part, part, environment)));
     if (!planner.empty()) input.tables.push_back(tableOf("Planner", planner));
     input.tables.push_back(tableOf("Path", pathRows(path, audit, scene)));
     if (!overlaps.empty()) input.tables.push_back(overlapTable(overlaps));

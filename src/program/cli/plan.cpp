@@ -306,7 +306,7 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, ProblemScen
                  const Scene& scene, PlanReport& report, OldPath& oldPath) {
     printWarnings(problem.warnings);
     printWarnings(report.warnings);
-    tellScene(scene);
+    tellScene(problem, scene);
     Facts figures = settingsFacts(given.plan, report);
     tell(figures);
     std::vector<PartState> path = report.path;

@@ -48,10 +48,8 @@ Fact obstacleFact(const std::vector<Component>& components, std::size_t triangle
     json["solid"] = group.solids != nullptr;
     json["ignored_near_start"] = group.isIgnoredAtStart;
     json["ignored_near_goal"] = group.isIgnoredAtGoal;
-    std::vector<std::string> names;  // of parts that stand there: those that move have no triangles here
-    for (const Component& component : components) {
-        if (component.triangleCount > 0) names.push_back(component.name);
-    }
+    std::vector<std::string> names;
+    for (const Component& component : components) names.push_back(component.name);
     const bool atStart = group.isIgnoredAtStart, atGoal = group.isIgnoredAtGoal;
     const char* const where = atStart && atGoal ? ", ignored near the start and the goal"
                               : atStart         ? ", ignored near the start"
@@ -135,10 +133,20 @@ void tell(const Facts& table) {
     facts().update(toJson(table));
 }
 
-void tellScene(const Scene& scene) {
+std::string movingNames(const Problem& problem, const Model& part) {
+    if (problem.meshes.partNames.empty()) return "";
+    std::vector<std::string> names;
+    for (const Component& component : part.components()) names.push_back(component.name);
+    return listed(names, kMostNames) + " of ";
+}
+
+void tellScene(const Problem& problem, const Scene& scene) {
     const bool isPlain = scene.obstacles.size() == 1 && !scene.obstacles[0].solids && !scene.startContact &&
                          !scene.goalContact && scene.ignoredBox.isEmpty();
-    tell({meshFact("part", scene.part)});
+    Fact part = meshFact("part", scene.part);
+    part.shown = movingNames(problem, scene.part) + part.shown;
+    for (const Component& component : scene.part.components()) part.value["names"].push_back(component.name);
+    tell({part});
     Json& obstacles = facts()["obstacles"] = Json::array();
     for (const Obstacle& obstacle : scene.obstacles) {
         Fact fact = meshFact("environment", obstacle.model);

@@ -70,7 +70,10 @@ void tellProblem(const Problem& problem);
 void tellDeflection(double deflection, bool isInMargin = false);
 
 /// Tells the part's mesh, the obstacles (by name when rules tell them apart), the margin and the contact zones.
-void tellScene(const Scene& scene);
+void tellScene(const Problem& problem, const Scene& scene);
+
+/// "'lid', 'screw_1' of " where the part is a part of an assembly, whose file is named next; otherwise empty.
+std::string movingNames(const Problem& problem, const Model& part);
 
 /// Tells the obstacles that the rules make, and prints which they ignore.
 void tellObstacles(const ObstacleGroups& obstacles);

@@ -273,7 +273,16 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     BOOST_TEST(obstacleNames(problem) == std::set<std::string>({"floor", "pin", "plate"}),
                boost::test_tools::per_element());
     BOOST_TEST(runIn(folder, "plan p.cfg --path p.path --time 20").code == 0);
-    BOOST_TEST(runIn(folder, "check p.cfg p.path").code == 0);
+    const Outcome checked = runIn(folder, "check p.cfg p.path --json p.json --report p.html");
+    BOOST_TEST(checked.code == 0);
+    BOOST_TEST(holds(row(checked, "part"), "'block' of all.glb, 12 triangles"), checked.out);
+    BOOST_TEST(jsonIn(folder, "p.json")["obstacles"][0]["names"].dump() == R"(["floor","plate","pin"])");
+    BOOST_TEST(factsOf(folder, "info p.cfg")["environment"]["components"].size() == 3u);
+    const std::string page = readText(folder.file("p.html")), opening = "type=\"application/json\">";
+    BOOST_TEST(holds(page, "'block' of all.glb, 12 triangles"));
+    const std::size_t begin = page.find(opening) + opening.size();
+    const auto shown = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+    BOOST_TEST(shown["environment"]["objects"].size() == 3u);
 
     factsOf(folder, "init all.glb --part block --part pin --out two.cfg");
     const Problem two = readProblem(folder.file("two.cfg"));
