@@ -73,6 +73,7 @@ std::vector<std::string> readLines(const std::string& file, const char* expected
     if (!stream) refuse(file, errno ? std::strerror(errno) : "it cannot be opened", expected);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) {
+        if (line.find('\0') != std::string::npos) refuse(file, "it is no text", expected);
         if (!line.empty() && line.back() == '\r') line.pop_back();
         lines.push_back(line);
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -126,6 +127,7 @@ void requireReadableMeshFile(const std::string& file) {
         refuseMeshFile(file, "it is a pipe or a device, not a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuseMeshFile(file, "it may not be opened");
+    if (boost::iends_with(file, ".cfg")) refuseMeshFile(file, "it is a problem file");
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (bytes == 0) refuseMeshFile(file, "it is empty");
     const std::string format = surfaceFormat(stream);

@@ -8,6 +8,7 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "core/text.h"
+#include "problem/assembly_files.h"
 
 namespace clearway {
 namespace {
@@ -41,6 +42,12 @@ void requireNoOther(const fs::path& folder, const std::vector<std::string>& mesh
 }
 
 }  // namespace
+
+std::string shapeFileWord(const std::string& file) {
+    return hasEnding(file, kMeshEndings)    ? "a mesh file"
+           : hasEnding(file, kOtherEndings) ? "a CAD or scene file"
+                                            : "";
+}
 
 std::vector<std::string> assemblyFiles(const std::string& path) {
     std::error_code isGone;

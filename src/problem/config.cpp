@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <filesystem>
 
 #include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
+#include "problem/assembly_files.h"
 
 namespace clearway {
 namespace {
@@ -69,7 +71,10 @@ ConfigFile readConfigFile(const std::string& file) {
     ConfigFile read;
     std::string prefix;
     int number = 0;
-    for (const std::string& whole : readLines(file, "a problem file (.cfg)")) {
+    const char* const expected = "a problem file (.cfg), which clearway init makes of mesh files";
+    if (const std::string word = shapeFileWord(file); !word.empty() && std::filesystem::exists(file))
+        throw ArgumentError("'" + file + "' is " + word + ", expected " + expected);
+    for (const std::string& whole : readLines(file, expected)) {
         ++number;
         const bool hasQuotes = prefix == "clearway.";
         const auto before = [&](std::string_view text, char character) {

@@ -85,6 +85,31 @@ BOOST_AUTO_TEST_CASE(a_step_file_is_refused_with_the_command_that_makes_a_mesh) 
     const MeshFolder folder;
     folder.write("part.step", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n");
     requireRefused(folder, "info part.step", {"clearway-cad 'part.step' --out 'part.3mf'"});
+    // Here clearway-cad is neither beside the program nor on the PATH.
+    std::filesystem::create_directory(folder.file("bin"));
+    std::filesystem::copy_file(kProgram, folder.file("bin/clearway"));
+    requireRefused(folder, "init part.step rest.obj --out p.cfg",
+                   {"'part.step'", "neither in " + folder.file("bin"), "PATH", "Debian package",
+                    "clearway-cad 'part.step' --out 'part.3mf'"},
+                   "PATH= " + folder.file("bin/clearway"));
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_is_no_problem_and_a_problem_no_mesh) {
+    const MeshFolder folder;
+    saveMesh(named(box({1, 1, 1}), "block", {20, 0, 1.5}), folder.file("block.3mf"));
+    folder.write("part.step", "ISO-10303-21;\n");
+    folder.write("path", "0 0 0 0 0 0 1\n");
+    for (const std::string words : {"plan block.3mf --path o.path", "check block.obj path",
+                                    "render block.obj --out o.png", "bench block.3mf --log o.log"})
+        requireRefused(folder, words, {"'block.", "is a mesh file", "problem file (.cfg)", "clearway init"});
+    requireRefused(folder, "plan part.step --path o.path", {"is a CAD or scene file", "clearway init"});
+    std::filesystem::copy_file(folder.file("block.3mf"), folder.file("block"));
+    requireRefused(folder, "plan block --path o.path", {"'block'", "it is no text", "clearway init"});
+    runIn(folder, "init block.obj rest.obj --out p.cfg");
+    const std::string query = "query --part p.cfg --environment rest.obj --poses path --query distance";
+    for (const std::string& words : {std::string("init p.cfg --part lid --out q.cfg"), query})
+        requireRefused(folder, words, {"'p.cfg'", "it is a problem file", "expected a mesh file"});
+    requireRefused(folder, "check p.cfg block.3mf", {"'block.3mf'", "it is no text", "path"});
 }
 
 /// Lines of choice stand in comments: each counts once its "# " is taken out.
