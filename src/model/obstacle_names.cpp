@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <map>
@@ -17,6 +18,8 @@ namespace clearway {
 namespace {
 
 using Path = std::filesystem::path;
+
+constexpr std::size_t kMostNear = 4;  ///< names that may have been meant, in a message
 
 /// The last `depth` names of a path, with or without the file's ending.
 std::string tailOf(const Path& path, int depth, bool hasEnding) {
@@ -122,6 +125,20 @@ std::vector<std::size_t> ObstacleNames::filesCalled(const std::string& name) con
     return found;
 }
 
+std::string ObstacleNames::insteadOf(const std::string& rule, const std::string& name) const {
+    if (rule == "--part" && name.find(',') != std::string::npos)
+        return " (for several parts repeat " + rule + ")";
+    std::vector<std::string> same, near;
+    for (const Component& component : components_) {
+        const std::vector<std::string> both = {component.name, component.bare};
+        if (boost::iequals(component.bare, name)) same.push_back(component.name);
+        if (boost::icontains(component.name, name) || !didYouMean(name, both).empty())
+            near.push_back(component.name);
+    }
+    const std::vector<std::string>& meant = same.empty() ? near : same;
+    return meant.empty() ? "" : " (did you mean " + listed(meant, kMostNear) + "?)";
+}
+
 std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std::string& name) const {
     std::vector<std::size_t> found =
         where(components_, [&](const Component& component) { return component.name == name; });
@@ -161,11 +178,11 @@ std::vector<std::size_t> ObstacleNames::find(const std::string& rule, const std:
             names.push_back(components_[i].name);
         }
     }
-    throw ArgumentError(
-        rule + " names '" + name + "', " +
-        (found.empty() ? (isPart ? "which is no part" : "which is no obstacle") + didYouMean(name, names)
-                       : std::string("which is in several files")) +
-        ", expected one of " + listed(names));
+    throw ArgumentError(rule + " names '" + name + "', " +
+                        (found.empty()
+                             ? (isPart ? "which is no part" : "which is no obstacle") + insteadOf(rule, name)
+                             : std::string("which is in several files")) +
+                        ", expected one of " + listed(names));
 }
 
 }  // namespace clearway

@@ -22,12 +22,15 @@ class ObstacleNames {
     const std::vector<Component>& components() const { return components_; }
 
     /// The components that a name stands for, in order. rule: the rule that has the name, such as "ignore",
-    /// for messages. Throws ArgumentError when the name stands for no component, and lists all names;
+    /// for messages. Throws ArgumentError when the name stands for no component, and lists all names, the nearest ones first;
     /// or when it is ambiguous, and lists the possible ones.
     std::vector<std::size_t> find(const std::string& rule, const std::string& name) const;
 
   private:
     void labelFiles();
+
+    /// Says which names may have been meant by one that stands for nothing: " (did you mean 'bolt'?)", or nothing.
+    std::string insteadOf(const std::string& rule, const std::string& name) const;
 
     /// The files whose path ends with the name, with or without the file's ending.
     std::vector<std::size_t> filesCalled(const std::string& name) const;

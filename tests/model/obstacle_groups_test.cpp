@@ -145,6 +145,8 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_the_known_ones) {
     rules = {};
     rules.solid = {"floor", "Door"};
     BOOST_TEST(refusal(files, rules) == "solid names 'Door'" + near);
+    rules.solid = {"oo"};
+    BOOST_TEST(holds(refusal(files, rules), "no obstacle (did you mean 'door', 'floor'?)"));
     rules = {};
     rules.goalContact = ContactRule{{"roof"}, 1};
     BOOST_TEST(refusal(files, rules) == "contact.goal names 'roof'" + known);

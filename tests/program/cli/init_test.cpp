@@ -340,6 +340,8 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     const Problem ofFiles = readProblem(folder.file("of_files.cfg"));
     BOOST_TEST(loadPart(ofFiles).components.size() == 2u);
     BOOST_TEST(loadPart(ofFiles).triangles.size() == 24u);
+    requireRefused(folder, "init all.glb --part block,pin --out q.cfg", {"for several parts repeat --part"});
+    requireRefused(folder, "init all.glb --part Block --out q.cfg", {"did you mean 'block'?"});
     BOOST_TEST(obstacleNames(ofFiles) == std::set<std::string>({"floor"}), boost::test_tools::per_element());
     // Rules call obstacles by their names in the whole folder, also when one file is left.
     Problem ignoring = ofFiles;
