@@ -1,6 +1,7 @@
 #include "program/cli/from_cad.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,8 +38,8 @@ bool isCadFile(const std::string& file) {
     return false;
 }
 
-/// The program's file: beside this one, else the first on the PATH; empty if it is not installed.
-std::string cadProgram() {
+/// The program's file: beside this one, else the first on the PATH. Throws std::runtime_error when there is none. cadFile: for the message.
+std::string cadProgramFor(const std::string& cadFile) {
     std::error_code ignored;
     std::vector<fs::path> folders = {fs::read_symlink("/proc/self/exe", ignored).parent_path()};
     const char* const path = std::getenv("PATH");
@@ -48,7 +49,14 @@ std::string cadProgram() {
         const fs::path file = folder / kCadProgram;
         if (fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) return file.string();
     }
-    return "";
+    const std::string mesh = fs::path(cadFile).replace_extension(".3mf").string();
+    throw std::runtime_error(fmt::format(
+        "'{}' holds surfaces, of which {} makes triangles, and that is neither in {}, where this program is, "
+        "nor on "
+        "the PATH, expected it there (its Debian package is {}; builds have it where "
+        "libocct-data-exchange-dev is "
+        "installed), or a mesh: {} '{}' --out '{}' on another machine, or an export from the CAD program",
+        cadFile, kCadProgram, folders[0].string(), kCadProgram, kCadProgram, cadFile, mesh));
 }
 
 /// Runs a program without a shell. Returns its exit code, and what it writes to stderr; its rows are dropped.
@@ -88,8 +96,8 @@ Rows makeMeshesOfCad(std::vector<std::string*> files, const std::string& out) {
     Rows rows;
     std::map<std::string, std::string> made;  // by the new file, the old one
     for (std::string* const file : files) {
-        const std::string program = isCadFile(*file) ? cadProgram() : "";
-        if (program.empty()) continue;
+        if (!isCadFile(*file)) continue;
+        const std::string program = cadProgramFor(*file);
         const fs::path name = fs::path(*file).filename().replace_extension(".3mf");
         const std::string mesh = (fs::path(out).parent_path() / name).string();
         const auto [entry, isNew] = made.emplace(mesh, *file);
