@@ -122,8 +122,8 @@ WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clear
     const PoseClearance at = clearance.at(X_environmentPart);
     const WhyInvalid why = clearance.whyInvalid(X_environmentPart, at);
     const MeshNames names = distinctMeshNames(clearance.scene(), at.nearest);
-    tell({{label,
     const std::string word = clearanceWord(clearance.scene());
+    tell({{label,
            !why.isValid()         ? "NOT valid: " + why.words()
            : std::isinf(at.lower) ? "valid, with nothing near"
            : !at.nearest.witness
@@ -137,11 +137,7 @@ WhyInvalid::Kind describeEnd(const std::string& end, const SceneClearance& clear
             {"why_not", why.isValid() ? Json() : Json(why.words())},
             {word, toJson(at.lower)},
             {"pair", closestPair(at.nearest, names.part, names.environment)}}}});
-    const auto& obstacles = clearance.scene().obstacles;
-    const bool mayTouch = clearance.distance(X_environmentPart).collides() ||
-                          std::any_of(obstacles.begin(), obstacles.end(),
-                                      [](const Obstacle& obstacle) { return obstacle.overlap() > 0; });
-    const std::string note = mayTouch || !why.isValid() ? "" : enclosures.at(X_environmentPart);
+    const std::string note = enclosures.at(X_environmentPart);
     if (!note.empty()) printWarnings({label + " " + note});
     return why.kind;
 }
@@ -180,7 +176,7 @@ DescribedEnds describeEnds(const Problem& problem, ProblemScenes& scenes) {
     printWarnings(loaded.notes);
     facts()["notes"] = loaded.notes;
     const SceneClearance clearance(loaded.scene);
-    EnclosureNotes enclosures(scenes.meshes());
+    EnclosureNotes enclosures(problem, scenes.meshes());
     const WhyInvalid::Kind atStart = describeEnd("start", clearance, problem.start, enclosures);
     using Kind = WhyInvalid::Kind;
     if (atStart == Kind::kCollides || atStart == Kind::kTooDeep || atStart == Kind::kInSolid ||

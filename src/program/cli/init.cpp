@@ -358,8 +358,6 @@ int init(const Arguments& words) {
     if (seen.touched.empty()) {
         printRow("start", clearanceAtStart(scene));
         printRows(deflectionRows());
-        if (const std::string note = EnclosureNotes(scenes.meshes()).at({}); !note.empty())
-            printWarnings({"at the start " + note});
     } else {
         printRow("start", "touches " + listed(seen.touched, kMostNamed) +
                               startAdvice(problem, seen.touched, contactLength, true));
@@ -368,6 +366,8 @@ int init(const Arguments& words) {
             if (lift && remedy.key == "overlap") remedy.value = depthText(lift->tryFirst);
         }
     }
+    if (const std::string note = EnclosureNotes(problem, scenes.meshes()).at({}); !note.empty())
+        printWarnings({"at the start " + note});
     printRow("goal", !seen.farSide ? "outside"
                                    : "outside on " + seen.farSide->far + "; the part starts outside on " +
                                          seen.farSide->near);

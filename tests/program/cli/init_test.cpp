@@ -146,6 +146,13 @@ BOOST_AUTO_TEST_CASE(what_may_mislead_about_the_start_is_said) {
     const Outcome inside = runIn(folder, "init block.obj rock.obj --out r.cfg");
     BOOST_TEST(holds(inside.err, "inside 'rock'", "solid = rock"), inside.err);
     BOOST_TEST(holds(runIn(folder, "info r.cfg").err, "inside 'rock'"));
+    saveMesh(named(box({0.2, 0.2, 0.2}), "gear", {20, 0, 1.5}), folder.file("gear.obj"));
+    // The block stands on the seat, too.
+    const Outcome around = runIn(folder, "init block.obj seat.obj gear.obj --out g.cfg");
+    BOOST_TEST(holds(around.err, "'gear' is inside the part", "ignore = gear"), around.err);
+    BOOST_TEST(holds(runIn(folder, "info g.cfg").err, "at the start 'gear' is inside the part"));
+    folder.write("g.cfg", readText(folder.file("g.cfg")) + "ignore = gear\n");
+    BOOST_TEST(!holds(runIn(folder, "info g.cfg").err, "inside"));
     saveMesh(named(box({1e3, 1e3, 1e3}), "metres", {0, 0, 0}), folder.file("large.obj"));
     const Outcome units = runIn(folder, "init large.obj rest.obj --out u.cfg");
     BOOST_TEST(holds(units.err, "one unit?"), units.err);
@@ -333,6 +340,8 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
 
     requireRefused(folder, "init all.glb --out q.cfg", {"no ENVIRONMENT", "--part"});
     requireRefused(folder, "init all.glb --part lid --out q.cfg", {"'lid'", "block"});
+    requireRefused(folder, "init all.glb --part block,pin --out q.cfg", {"for several parts repeat --part"});
+    requireRefused(folder, "init all.glb --part Block --out q.cfg", {"did you mean 'block'?"});
     requireRefused(folder, "init parts/block.stl --part block --out q.cfg", {"names all parts"});
     requireRefused(folder, "init parts --part '*' --out q.cfg", {"names all parts"});
 
@@ -340,8 +349,6 @@ BOOST_AUTO_TEST_CASE(one_part_of_an_assembly_moves_and_every_other_one_stands_st
     const Problem ofFiles = readProblem(folder.file("of_files.cfg"));
     BOOST_TEST(loadPart(ofFiles).components.size() == 2u);
     BOOST_TEST(loadPart(ofFiles).triangles.size() == 24u);
-    requireRefused(folder, "init all.glb --part block,pin --out q.cfg", {"for several parts repeat --part"});
-    requireRefused(folder, "init all.glb --part Block --out q.cfg", {"did you mean 'block'?"});
     BOOST_TEST(obstacleNames(ofFiles) == std::set<std::string>({"floor"}), boost::test_tools::per_element());
     // Rules call obstacles by their names in the whole folder, also when one file is left.
     Problem ignoring = ofFiles;
