@@ -223,11 +223,20 @@ BOOST_AUTO_TEST_CASE(disassemble_writes_paths_that_hold_among_the_parts_still_th
     for (const Mesh& part : {box("floor", {0, 0, 0}, {20, 20, 2}), box("lower", {4, 4, 2}, {10, 10, 5}),
                              box("upper", {2, 2, 5.01}, {12, 12, 8})})
         saveMesh(part, folder.file("parts/" + part.components[0].name + ".obj"));
-    const std::string program = CLEARWAY_DEMOS "/demo_disassemble '";
-    const Story apart = run(folder, program + folder.file("parts") + "' '" + folder.file("apart") + "'");
-    BOOST_TEST(apart.code == 0, apart.err);
-    BOOST_TEST(holds(apart.out, "2 of 3 parts came out one after the other", "the last one is alone"),
-               apart.out);
+    const std::string words = "'" + folder.file("parts") + "' '" + folder.file("apart") + "' ";
+    const std::string program = CLEARWAY_DEMOS "/demo_disassemble ";
+    const std::string kept = tell(folder, "disassemble", words + "20 'u*r'").out;
+    BOOST_TEST(holds(kept, "2 of 3 parts came out one after the other"), kept);
+    BOOST_TEST(numbers(readText(folder.file("apart/order.csv")),
+                       "\"([12])\",\"lower\",[^]*\n\"\",\"upper\",[^\n]*\"stays\"")[0] >= 1);
+    const std::string apart = tell(folder, "disassemble", words).out;
+    BOOST_TEST(holds(apart, "2 of 3 parts came out one after the other"), apart);
+    const std::string order = readText(folder.file("apart/order.csv"));
+    const std::vector<double> upper = numbers(order, "\"[12]\",\"upper\",\"" + kNumber + "\",\"" + kNumber +
+                                                         "\",\"" + kNumber + "\",\"no contact\"");
+    BOOST_TEST(upper[2] > 0);
+    BOOST_TEST(upper[2] <= 3.01);  // it stands by so much above the floor
+    BOOST_TEST(holds(order, "\",\"lower\",", "\"\",\"floor\",\"\",\"\",\"\",\"stays\""), order);
     BOOST_TEST(std::filesystem::exists(folder.file("apart/disassembly.glb")));
     int paths = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder.file("apart"))) {
@@ -243,6 +252,11 @@ BOOST_AUTO_TEST_CASE(disassemble_writes_paths_that_hold_among_the_parts_still_th
         BOOST_TEST(check.endsAtGoal());
     }
     BOOST_TEST(paths == 2);
+    const Story unknown = run(folder, program + words + "20 roof"), help = run(folder, program + "--help");
+    BOOST_TEST(unknown.code == 2);
+    BOOST_TEST(holds(unknown.err, "'roof'", "'floor'"), unknown.err);
+    BOOST_TEST(help.code == 0);
+    BOOST_TEST(holds(help.out, "SECONDS", "NAME"), help.out);
 }
 
 BOOST_AUTO_TEST_CASE(demos_without_their_arguments_say_what_is_expected) {

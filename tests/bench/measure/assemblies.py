@@ -1,7 +1,7 @@
 """The part `assemblies`: which parts of an assembly touch, and which come out one after the other, by whole processes."""
 
+import csv
 import json
-import re
 import statistics
 
 from from_files import timed
@@ -42,8 +42,9 @@ def assemblies(place, row):
     facts, load_seconds, whole_seconds = pairs(place, file)
     kinds = [pair["kind"] for pair in facts["pairs"]]
     components = (facts.get("assembly") or facts["mesh"])["components"]
-    seconds, said = timed([place.program("demo_disassemble"), file, place.scratch / "apart", LIMIT[place.form]], (0, 1))
-    after = re.findall(r"^ *\d+ .* out after +([\d.]+) s", said.stdout, re.M)
+    seconds, _ = timed([place.program("demo_disassemble"), file, place.scratch / "apart", LIMIT[place.form]], (0, 1))
+    with open(place.scratch / "apart/order.csv", newline="") as order:
+        after = [row["seconds"] for row in csv.DictReader(order) if row["order"]]
     made = {"assembly": row, "parts": len(components), "triangles": sum(component["triangles"] for component in components),
             "overlaps": kinds.count("overlap"), "contacts": kinds.count("contact"), "load_seconds": f"{load_seconds:.3g}",
             "pairs_seconds": f"{whole_seconds - load_seconds:.3g}", "out": len(after), "last_out_seconds": after[-1] if after else "",
