@@ -14,7 +14,10 @@
 #include "clearway/scene_clearance.h"
 #include "core/clock.h"
 #include "core/number.h"
+#include "mesh/clean.h"
 #include "mesh/components.h"
+#include "mesh/topology.h"
+#include "model/obstacle_names.h"
 #include "problem/clearance_word.h"
 #include "program/cli/assembly.h"
 #include "program/cli/enclosure.h"
@@ -226,7 +229,23 @@ void describeLift(const std::string& file) {
 
 }  // namespace
 
-constexpr double kWidestGap = 1e-3;  ///< of an assembly's diagonal: wider gaps are not shown
+constexpr double kWidestGap = 1e-3;         ///< of an assembly's diagonal: wider gaps are not shown
+constexpr std::size_t kMostOpenNamed = 12;  ///< on screen
+
+/// Tells which parts are open: they hold nothing, and have no depth that others could reach to.
+void tellOpenParts(const Mesh& assembly) {
+    const std::vector<Component> components = componentsOf(assembly);
+    std::vector<std::string> open;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i].triangleCount > 0 &&
+            !checkEdges(clean(meshOfComponents(assembly, {i})).triangles).isClosed())
+            open.push_back(components[i].name);
+    }
+    tell({shownIf(!open.empty(),
+                  {"open parts",
+                   fmt::format("{} of {}: {}", open.size(), components.size(), listed(open, kMostOpenNamed)),
+                   "open_parts", open})});
+}
 
 /// Tells which parts of an assembly touch each other, reach into each other, or are near.
 void describePairs(const Mesh& assembly, const std::optional<double>& near, const std::string& csv,
@@ -246,6 +265,7 @@ void describePairs(const Mesh& assembly, const std::optional<double>& near, cons
     elapsed.reset();
     facts()["pairs_seconds"] = secondsSince(begin);
     tellPairs(pairs, widest, csv);
+    tellOpenParts(assembly);
     if (!picture.empty()) drawPairs(assembly, pairs, picture);
 }
 

@@ -153,12 +153,18 @@ BOOST_AUTO_TEST_CASE(info_tells_the_pairs_of_a_folder_and_of_a_file) {
     const std::string csv = readText(folder.file("pairs.csv"));
     BOOST_TEST(std::count(csv.begin(), csv.end(), '\n') == 5);
 
-    saveMesh(assembled(parts()), folder.file("all.glb"));
+    BOOST_TEST(json["open_parts"].empty());
+
+    std::vector<Mesh> opened = parts();
+    opened[4].triangles.pop_back();
+    --opened[4].components[0].triangleCount;
+    saveMesh(assembled(opened), folder.file("all.glb"));
     const Outcome file = runIn(folder, "info all.glb --pairs");
     BOOST_TEST(
         holds(row(file, "overlap"), "'base' and 'core'", "; pushed through 'base', 'core' is out of it 3"),
         file.out);
     BOOST_TEST(!holds(file.out, "gap:"), file.out);
+    BOOST_TEST(row(file, "open parts") == "1 of 6: 'far'");
     BOOST_TEST(!holds(runIn(folder, "info all.glb").out, "contact:"));
 
     std::filesystem::create_directory(folder.file("empty"));
