@@ -2,6 +2,7 @@
 // to the rear, z up: about 1.4 m wide, 0.9 m long, 0.75 m high.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>

@@ -6,6 +6,7 @@
 // 16, 1995).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>

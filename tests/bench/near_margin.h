@@ -1,6 +1,7 @@
 // Poses whose distance is slightly more or less than a margin, where verdicts are most likely to be wrong.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "bench/bench_scenes.h"

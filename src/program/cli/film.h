@@ -1,6 +1,8 @@
 // The film of `clearway render`: numbered pictures of the motion, a video, or both.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>

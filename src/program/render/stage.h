@@ -1,6 +1,7 @@
 // The scene in front of the camera: surfaces, each at one or more places, with their colours.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
