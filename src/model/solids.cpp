@@ -98,7 +98,7 @@ void Solid::boxTriangles() {
 }
 
 /// Where surfaces touch along edges, one connected surface may bound pieces that face different ways.
-void Solid::lookInFront(const std::string& name) {
+void Solid::lookInFront(const std::string& name) const {
     const double step = (isTurnedOver_ ? -kInFront : kInFront) * box_.diagonal().norm();
     for (const auto& [a, b, c] : triangles_) {
         const Vector3 normal = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]).normalized();

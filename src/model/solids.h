@@ -54,7 +54,7 @@ class Solid {
     void boxTriangles();
     std::vector<bool> findOutermost(const Shells& shells) const;
     void orient(const Shells& shells, const std::string& name);
-    void lookInFront(const std::string& name);
+    void lookInFront(const std::string& name) const;
 
     std::vector<Vector3> vertices_;
     std::vector<TriangleIndices> triangles_;
