@@ -212,7 +212,7 @@ MotionAnswer certifyPoses(const SceneClearance& clearance, bool isForward, const
 
 /// The answer about a motion whose last pose is not free.
 MotionAnswer blockedAtEnd(MotionAnswer answer) {
-    if (answer.verdict == SweepVerdict::kCertified) answer.contactTime = 1;
+    if (!answer.contactTime) answer.contactTime = 1;
     answer.verdict = SweepVerdict::kContact;
     answer.certifiedUntil = std::min(answer.certifiedUntil, std::nextafter(1, 0));
     return answer;
