@@ -116,6 +116,13 @@ BOOST_AUTO_TEST_CASE(coordinates_are_the_floats_of_the_file) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(indices_are_never_scaled) {
+    Gltf gltf;
+    gltf.add("SCALAR", 5121, 12, packed(kFaces), ",'normalized':true");
+    gltf.primitives = "{'attributes':{'POSITION':0},'indices':2}";
+    BOOST_TEST(signedVolume(load(gltf)) == signedVolume(load(Gltf())));
+}
+
 BOOST_AUTO_TEST_CASE(quantized_positions_are_scaled_exactly) {
     Gltf gltf;
     gltf.add("VEC3", 5120, 4, packed<std::int8_t>({-128, 0, 0, 0, 127, 0, 0, 0, 0, 127, 0, 0, 64, 0, 0, 0}),
@@ -196,6 +203,8 @@ BOOST_AUTO_TEST_CASE(nodes_place_their_meshes_and_keep_fronts_outside) {
     requireBox(mesh, {-4, 0, 0}, {2, 2, 12});
     BOOST_TEST(std::fabs(signedVolume(mesh) - 2 * 8. / 6) < 1e-12);
     BOOST_TEST(mesh.origin.notes.size() == 2u);  // another scene, and a node that is not in this one
+    gltf.more = ",'scenes':[{'nodes':[0]},{'nodes':[3]}]";  // the first one, where none is stated
+    BOOST_TEST(load(gltf).components.size() == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(each_instance_is_a_component) {

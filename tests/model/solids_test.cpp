@@ -82,6 +82,15 @@ BOOST_AUTO_TEST_CASE(shells_that_pierce_each_other_are_oriented_by_what_sticks_o
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_flat_shell_beside_faces_no_way) {
+    Mesh sheet;
+    sheet.vertices = {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    const Solid solid(joined(box({1, 1, 1}), sheet), "box and sheet");
+    BOOST_TEST(!solid.isTurnedOver());
+    BOOST_TEST(holds(solid, {0.5, 0.25, 0}));
+}
+
 BOOST_AUTO_TEST_CASE(what_encloses_nothing_is_refused_by_name) {
     Mesh open = box({1, 1, 1});
     open.triangles.pop_back();

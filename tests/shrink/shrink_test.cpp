@@ -6,6 +6,7 @@
 
 #include "mesh/components.h"
 #include "model/solids.h"
+#include "shrink/certificate.h"
 #include "shrink/mitres.h"
 #include "support/full_run.h"
 #include "support/oracle.h"
@@ -213,6 +214,24 @@ BOOST_AUTO_TEST_CASE(a_shrunk_part_is_the_same_each_time) {
     const ShrunkPart one = shrink(part, {0.9}), two = shrink(part, {0.9});
     BOOST_TEST((one.mesh.vertices == two.mesh.vertices));
     BOOST_TEST((one.mesh.triangles == two.mesh.triangles));
+}
+
+/// The middle of a face goes 1.5 down through a plate of 2, to 0.5 from the other face: half way it is 1 deep.
+BOOST_AUTO_TEST_CASE(a_move_across_the_part_is_shortened_though_it_ends_near_the_surface) {
+    const Mesh mesh = box({5, 5, 1}, 2);
+    const OrientedSurface plate = orientedSurface(mesh);
+    MovedSurface moved;
+    std::size_t across = 0;
+    for (std::uint32_t v = 0; v < plate.vertices.size(); ++v) {
+        const bool isMiddle = plate.vertices[v] == Vector3(0, 0, 1);
+        if (isMiddle) across = v;
+        moved.places.push_back({v, isMiddle ? Vector3(0, 0, -1.5) : Vector3::Zero()});
+    }
+    for (std::uint32_t t = 0; t < plate.triangles.size(); ++t)
+        moved.triangles.push_back({plate.triangles[t], 3 * t});
+    NearestTriangle nearest(Model::build(mesh));
+    BOOST_TEST(certifyMoves(plate, nearest, plate, 0.7, moved)[across]);
+    BOOST_TEST(moved.places[across].move.norm() <= 0.7);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

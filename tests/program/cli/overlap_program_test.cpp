@@ -90,6 +90,18 @@ BOOST_AUTO_TEST_CASE(a_sunk_part_is_planned_checked_and_drawn_with_its_overlap) 
     BOOST_TEST(runIn(folder, "check p.cfg o.path").code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(depths_are_as_close_as_the_least_overlap_asks) {
+    const SunkFolder folder;
+    saveMesh(assembled({named(translated(box({6, 6, 1}), {0, 0, -1}), "floor"),
+                        named(translated(box({2, 2, 2}), {20, 0, 0}), "post")}),
+             folder.file("floor.obj"));
+    folder.problem("overlap.floor = 0.045\noverlap.post = 1.5\n");
+    folder.write("o.path", "0 0 1.97 0 0 0 1\n0 0 5 0 0 0 1\n");
+    const auto found = factsOf(folder, "check p.cfg o.path --any-ends")["overlaps"];
+    BOOST_TEST_REQUIRE(found.size() == 1u);
+    BOOST_TEST(found[0]["depth"]["upper"].get<double>() <= (0.03 + 0.1 * 0.045) * (1 + 1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(a_start_that_only_touches_is_freed_by_the_least_overlap) {
     const SunkFolder folder;
     folder.problem("", "block.obj", 2);
@@ -176,6 +188,8 @@ BOOST_AUTO_TEST_CASE(an_open_part_is_lifted_planned_checked_and_drawn) {
     BOOST_TEST(checked["obstacles"][0]["overlap"] == 0.045);
     BOOST_TEST(checked["overlaps"][0]["triangle_of"] == "part");
     BOOST_TEST(checked["overlaps"][0]["depth"]["lower"].get<double>() <= 0.03 * (1 + 1e-9));
+    BOOST_TEST(std::abs(checked["overlaps"][0]["point"][2].get<double>() + 0.03) <
+               1e-6);  // the floor's frame
     Mesh open = loadMesh(folder.file("floor.obj"));
     open.triangles.pop_back();
     open.components[1].triangleCount = 11;
