@@ -12,6 +12,7 @@
 #include "clearway/planning/ompl_messages.h"
 #include "clearway/planning/outside_goal.h"
 #include "clearway/planning/plan.h"
+#include "clearway/planning/sliding_rrt_connect.h"
 #include "clearway/shrink.h"
 #include "planning/planners/planner_team.h"
 #include "planning/space/ompl_states.h"
@@ -265,6 +266,58 @@ BOOST_AUTO_TEST_CASE(turns_of_any_length_find_the_same_path_and_a_cleared_planne
         BOOST_TEST((planner->solve(after(100000)) == ob::PlannerStatus::EXACT_SOLUTION));
     }
     BOOST_TEST((paths[0] == paths[1]));
+}
+
+/// Remembers the motions that it was asked about, and refuses every third.
+class Grudging : public MotionValidator {
+  public:
+    using MotionValidator::checkMotion;
+    using MotionValidator::MotionValidator;
+    bool checkMotion(const ob::State* from, const ob::State* to) const override {
+        asked.insert({realsOf(from), realsOf(to)});
+        return ++count % 3 != 0 && MotionValidator::checkMotion(from, to);
+    }
+    std::vector<double> realsOf(const ob::State* state) const {
+        std::vector<double> reals;
+        si_->getStateSpace()->copyToReals(reals, state);
+        return reals;
+    }
+    mutable std::set<std::pair<std::vector<double>, std::vector<double>>> asked;
+    mutable int count = 0;
+};
+
+/// Some validators allow a motion one way alone.
+template <class Tree>
+void asksAsPathsGo(int iterations, bool isGoalTight) {
+    OmplTask task(tightProblem("square_peg"));
+    const auto validator = std::make_shared<Grudging>(task.si, task.scene);
+    task.si->setMotionValidator(validator);
+    const auto& bounds = task.si->getStateSpace()->as<ob::SE3StateSpace>()->getBounds();
+    auto start = task.at({0.9 * bounds.high[0], 0, 0}), goal = task.at(Vector3::Zero());
+    if (!isGoalTight) std::swap(start, goal);
+    task.definition->setStartAndGoalStates(start, goal);
+    const auto planner = task.planner<Tree>();
+    planner->solve(after(iterations));
+    ob::PlannerData data(task.si);
+    planner->getPlannerData(data);
+    int checked = 0;
+    for (unsigned int from = 0; from < data.numVertices(); ++from) {
+        std::vector<unsigned int> next;
+        data.getEdges(from, next);
+        for (const unsigned int to : next) {
+            if (data.getVertex(to).getTag() != 2) continue;  // of the goal's tree
+            ++checked;
+            BOOST_TEST(validator->asked.count({validator->realsOf(data.getVertex(from).getState()),
+                                               validator->realsOf(data.getVertex(to).getState())}) == 1u);
+        }
+    }
+    BOOST_TEST(checked > 3);
+}
+
+BOOST_AUTO_TEST_CASE(motions_are_asked_about_as_paths_go) {
+    const OmplMessages quiet;
+    asksAsPathsGo<TwistSearch>(2000, true);
+    asksAsPathsGo<SlidingRRTConnect>(30, false);
 }
 
 BOOST_AUTO_TEST_CASE(any_of_several_starts_will_do_and_an_invalid_one_is_passed_over) {
