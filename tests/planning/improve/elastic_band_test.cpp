@@ -85,14 +85,7 @@ BOOST_AUTO_TEST_CASE(a_band_ended_at_any_time_keeps_what_it_returns_and_no_less_
         last = kept;
     }
     BOOST_TEST(gained > 3);
-}
-
-BOOST_AUTO_TEST_CASE(a_grazing_path_through_a_window_gets_to_its_middle) {
-    const Fixture f;
-    og::PathGeometric path = grazing(f);
-    const double kept = widenPath(path, *f.validator, withSweeps(200, kGrazing));
-    BOOST_TEST(kept > 0.85 * kWindow);
-    BOOST_TEST(allKeep(path, *f.validator, kept));
+    BOOST_TEST(last > 0.85 * kWindow);
 }
 
 BOOST_AUTO_TEST_CASE(a_margin_leaves_less_room) {
