@@ -211,6 +211,11 @@ BOOST_AUTO_TEST_CASE(the_room_that_a_part_takes_is_written) {
     const Outcome swept = runIn(folder, "check p.cfg o.path --swept room.stl --swept-tolerance 0.5");
     BOOST_TEST(swept.code == 0, swept.err);
     BOOST_TEST(boundingBox(loadMesh(folder.file("room.stl"))).contains(Vector3(20, 0, 1.5)));
+    // The block turns by 0.1 about z, 20 from it; the longer way round would sweep a ring.
+    folder.write("turn.path", "0 0 9 0 0 0 1\n0 0 9 0 0 -0.0499791692706783 -0.998750260394966\n");
+    BOOST_TEST(
+        runIn(folder, "check p.cfg turn.path --any-ends --swept turn.stl --swept-tolerance 0.5").code == 0);
+    BOOST_TEST(boundingBox(loadMesh(folder.file("turn.stl"))).min().x() > 15);
     folder.write("mm.cfg", readText(folder.file("p.cfg")) + "unit = mm\n");
     const Outcome inMetres = runIn(folder, "check mm.cfg o.path --swept room.glb --swept-tolerance 0.5");
     BOOST_TEST(holds(row(inMetres, "swept"), "in metres"), inMetres.out);
