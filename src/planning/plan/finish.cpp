@@ -36,11 +36,12 @@ PathAudit shortenKeeping(const PlanSetup& setup, og::PathGeometric& path, double
     SimplifyOptions options{floor, isSpent};
     if (kept > 0) options.kept = kept;
     PathAudit found = simplify(shorter, *setup.auditor, options);
-    if (kept > 0 && keptClearance(shorter, *setup.auditor, {0, kept, kAccuracy, {}}) < kept) {
+    const bool isExact = !setup.isStopped();
+    if (isExact && kept > 0 && keptClearance(shorter, *setup.auditor, {0, kept, kAccuracy, {}}) < kept) {
         return audit(path, *setup.auditor);
     }
     path = shorter;
-    raiseTo(kept, found);
+    if (isExact) raiseTo(kept, found);
     return found;
 }
 
@@ -126,6 +127,11 @@ og::PathGeometric pathOf(const PlanSetup& setup, const ob::PlannerSolution& solu
 
 PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::function<bool()>& isSpent,
                  double keptBefore) {
+    if (isSpent()) {
+        PathAudit found = audit(path, *setup.auditor);
+        raiseTo(keptBefore, found);
+        return found;
+    }
     if (keptBefore > 0) return shortenKeeping(setup, path, keptBefore, isSpent);
     const auto& objective = setup.definition->getOptimizationObjective();
     if (!isLeastClearance(objective)) return shortenUnlessWorse(setup, path, isSpent);
@@ -139,6 +145,7 @@ PathAudit finish(const PlanSetup& setup, og::PathGeometric& path, const std::fun
     SimplifyOptions options{floor, isSpent};
     if (kept > 0 && std::isfinite(kept)) options.kept = kept;
     PathAudit shortened = simplify(path, *setup.auditor, options);
+    if (setup.isStopped()) return shortened;
     raiseTo(std::min(kept, keptClearance(path, *setup.auditor, {0, floor, kAccuracy, {}})), shortened);
     return shortened;
 }

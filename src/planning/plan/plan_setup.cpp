@@ -247,6 +247,7 @@ PlanSetup makePlanSetup(const Problem& stated, const Scene& scene, const PlanOpt
                                    : std::min(startClearance, clearanceAt(problem.goal, ProblemEnd::kGoal));
     useCertified(setup, leastAtEnds, isOver, report);
     setup.floor = report.floor;
+    setup.isStopped = [isStopped = options.isStopped] { return isStopped && isStopped(); };
     // The planners' earlier queries do not change an audit, to the last digit.
     setup.auditor = std::make_shared<MotionValidator>(setup.si, scene, auditMotions(scene, leastAtEnds));
     setup.si->setStateValidityChecker(setup.checker);

@@ -20,6 +20,7 @@ struct PlanSetup {
     std::shared_ptr<ValidityChecker> checker;     ///< the planners' own
     std::shared_ptr<MotionValidator> certified;   ///< the planners' own
     std::shared_ptr<MotionValidator> auditor;     ///< certifies the shortening, and audits the final path
+    std::function<bool()> isStopped;              ///< true: somebody waits for the end; never empty
     double floor = 0;                             ///< clearance that shortening keeps; environment units
     ompl::base::ProblemDefinitionPtr definition;  ///< with start and goal, and the objective if one is named
     std::vector<ompl::base::PlannerPtr> planners;  ///< set up, in the order of report.planners

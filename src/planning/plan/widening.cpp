@@ -21,6 +21,7 @@ namespace {
 
 /// The clearances before and after are measured to these shares. The time is for bands.
 constexpr double kBeforeAccuracy = 0.1, kAfterAccuracy = 0.01;
+constexpr double kHurried = 1;  ///< a share, with which the first clearance that is kept will do
 
 constexpr int kEndBisections = 10;  ///< of the motion that leads outside
 
@@ -163,7 +164,10 @@ WideningReport widenPath(const PlanSetup& setup, og::PathGeometric& path, const 
         (limits.sweeps ? widenBySweeps : widenInTime)(wide, widened, limits, report.before);
     endOnceOutside(setup, widened);
     // The auditor decides: its motions do not end with the time for widening.
-    report.after = keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}, expected});
+    report.after =
+        setup.isStopped()
+            ? keptClearance(widened, *setup.auditor, {0, expected > 0 ? expected : most, kHurried, {}})
+            : keptClearance(widened, *setup.auditor, {0, most, kAfterAccuracy, {}, expected});
     if (report.after < report.before) {
         report.after = report.before;
         return report;

@@ -312,8 +312,8 @@ int tellAndWrite(const PlanArguments& given, const Problem& problem, ProblemScen
     std::vector<PartState> path = report.path;
     bool isValid = false;
     if (!path.empty()) {
-        // The same audit as that of `clearway check`, so that both name the same closest pair.
-        report.audit = planning::checkPath(problem, scene, path).audit;
+        // The same audit as that of `clearway check`, so that both name the same closest pair. Nobody waits for it after an interrupt.
+        if (!report.isStopped) report.audit = planning::checkPath(problem, scene, path).audit;
         isValid = report.audit.isValid();
         const Facts found = pathFacts(report, given.path);
         tellPath(found, report, problem, scene, given.path);
