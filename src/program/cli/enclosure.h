@@ -9,6 +9,7 @@
 #include "clearway/obstacle_groups.h"
 #include "clearway/problem.h"
 #include "clearway/query.h"
+#include "core/text.h"
 #include "mesh/components.h"
 #include "model/obstacle_names.h"
 #include "model/solids.h"
