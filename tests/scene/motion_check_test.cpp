@@ -104,6 +104,18 @@ BOOST_AUTO_TEST_CASE(inside_a_solid_no_motion_is_free) {
     BOOST_TEST((SceneClearance(scene).check(within).verdict == SweepVerdict::kCertified));
 }
 
+/// The part is far from its origin. In the middle of its turn it stands still, but the arc leads it out of the zone and through the plate.
+BOOST_AUTO_TEST_CASE(an_arc_that_leads_out_of_a_contact_zone_is_followed) {
+    Scene scene(boxModel({-0.1, 99.9, -0.1}, {0.1, 100.1, 0.1}), boxModel({-1, 98.9, -1}, {1, 99, 1}));
+    scene.obstacles[0].isIgnoredAtStart = true;
+    scene.startContact = ContactZone{at(0, 0, 0), 0.5};
+    const double angle = 0.2, aside = 100 * std::sin(angle);
+    const Pose from{turned(-angle, Vector3::UnitZ()).rotation, {-aside, 0, 0}},
+        to{turned(angle, Vector3::UnitZ()).rotation, {aside, 0, 0}};
+    BOOST_TEST(SceneClearance(scene).isFree(from));
+    BOOST_TEST((SceneClearance(scene).check(motionBetween(from, to)).verdict == SweepVerdict::kContact));
+}
+
 /// The cube slides along the floor, closer than poses are known, and then meets the block.
 BOOST_AUTO_TEST_CASE(a_collision_behind_a_stretch_that_is_too_close_to_tell_is_found) {
     const double apart = 1e-7, poseError = 1e-6;
