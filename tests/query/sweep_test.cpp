@@ -183,6 +183,21 @@ BOOST_DATA_TEST_CASE(a_curved_motion_is_certified_by_its_deviation_and_a_deviati
         boost::test_tools::tolerance(1e-2));
 }
 
+/// Each piece stands still in its middle, so that all of the way is a deviation.
+BOOST_DATA_TEST_CASE(a_deviation_across_no_turn_counts_in_all_directions, eachWidth(), width) {
+    const SweptPair pair("box and wall", box({1, 2, 3}), translated(box({0.1, 40, 40}), {-8, 0, 0}), width);
+    const auto standing = [](double from, double to) {
+        MotionPiece piece;
+        piece.middle = Swing(0).at(from + 0.5 * (to - from));
+        piece.velocity = piece.angularVelocity = Vector3::Zero();
+        piece.deviationAcrossRotation = 0.5 * (to - from) * 40;
+        return piece;
+    };
+    Workspace workspace;
+    const SweepResult found = sweep(pair.part, pair.environment, standing, optionsFor(pair, 0), workspace);
+    BOOST_TEST((found.verdict == SweepVerdict::kContact));
+}
+
 BOOST_DATA_TEST_CASE(the_least_distance_is_bounded_from_both_sides, eachTarget() * eachWidth(), target,
                      width) {
     const UsingTarget using_(target);
