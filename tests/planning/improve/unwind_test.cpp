@@ -8,6 +8,8 @@
 
 #include "clearway/planning/audit.h"
 #include "support/motion_window.h"
+#include "support/part_in_space.h"
+#include "support/random_meshes.h"
 
 namespace clearway::planning {
 BOOST_AUTO_TEST_SUITE(unwind_test)
@@ -61,6 +63,20 @@ BOOST_AUTO_TEST_CASE(turns_that_keep_the_part_off_the_wall_stay) {
     unwind(path, *f.validator, before, {});
     BOOST_TEST(audit(path, *f.validator).lowerClearance >= 0.9 * before);
     BOOST_TEST(turnedOf(f, path) > 0.9 * M_PI);
+}
+
+// Without its turn the rod would go on from its second place into the post.
+BOOST_AUTO_TEST_CASE(a_turn_that_only_the_last_motion_needs_stays) {
+    const testing::PartInSpace f(
+        Scene(Model::build(testing::box({30, 1, 1})),
+              Model::build(testing::translated(testing::box({0.5, 0.5, 5}), {29, 5, 0}))));
+    og::PathGeometric path(f.si);
+    path.append(f.at({-20, 0, 0}).get());
+    path.append(f.at({0, 0, 0}, 0.3).get());
+    path.append(f.at({0, 10, 0}).get());
+    BOOST_TEST(audit(path, *f.validator).lowerClearance > 1);
+    unwind(path, *f.validator, 1, {});
+    BOOST_TEST(audit(path, *f.validator).lowerClearance > 1);
 }
 
 BOOST_AUTO_TEST_CASE(winding_is_length_plus_the_way_of_a_point_far_out) {
