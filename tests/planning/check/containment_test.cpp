@@ -219,6 +219,14 @@ BOOST_AUTO_TEST_CASE(a_motion_that_leaves_a_contact_zone_into_a_solid_is_invalid
     BOOST_TEST(solid.check({8, 0, 0}, {12.9, 0, 0}));
     BOOST_TEST(!solid.check({8, 0, 0}, {8, 5, 0}));
     BOOST_TEST(skin.check({8, 0, 0}, {8, 5, 0}));
+    // Within its zone the solid lowers no clearance, although it holds the part.
+    const auto s1 = solid.at({7.2, 0, 0}), s2 = solid.at({8, 0, 0});
+    BOOST_TEST(std::isinf(solid.validator->report(s1.get(), s2.get()).lowerClearance));
+    // The state inside is not taken for free because no surface is in the way from the start.
+    const planning::MotionValidator together(solid.si, solid.checker->shared());
+    BOOST_TEST(solid.isValid(start));
+    BOOST_TEST(!together.checkMotion(solid.at(start).get(), solid.at(inside).get()));
+    BOOST_TEST(!solid.isValid(inside));
 }
 
 BOOST_AUTO_TEST_CASE(a_motion_at_the_border_of_a_contact_zone_in_a_solid_is_undecided_and_not_invalid) {
@@ -234,6 +242,8 @@ BOOST_AUTO_TEST_CASE(a_motion_at_the_border_of_a_contact_zone_in_a_solid_is_unde
     BOOST_TEST(!solid.validator->checkMotion(s1.get(), s2.get(), lastValid));
     BOOST_TEST(solid.validator->counters().undecided == 2u);
     BOOST_TEST((solid.validator->report(s1.get(), s2.get()).verdict == MotionVerdict::kUndecided));
+    const RigidMotion motion = motionBetween(solid.checker->pose(s1.get()), solid.checker->pose(s2.get()));
+    BOOST_TEST((SceneClearance(scene).check(motion).verdict == SweepVerdict::kUndecided));
 }
 
 // The part is far from its own origin, so that the turn of 8e-5 that OMPL leaves out until the end takes it out of the block.
