@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "clearway/problem.h"
 #include "support/words.h"
@@ -92,6 +93,8 @@ BOOST_AUTO_TEST_CASE(derived_bounds_hold_the_part_outside_however_it_is_turned) 
     const Box around = boundsOf(problem, kUnitBox, kPart);
     BOOST_TEST(around.min() == Vector3(1, 1, 1) - above.max().z() * Vector3(1, 1, 1));
     BOOST_TEST(around.max() == above.max().z() * Vector3(1, 1, 1));
+    std::swap(problem.margin, problem.rules.margins["wall"]);
+    BOOST_TEST(boundsOf(problem, kUnitBox, kPart).max() == around.max());
     problem.space = Space::kSe2;
     BOOST_TEST(boundsOf(problem, kUnitBox, kPart).max().z() == 0);
 }
