@@ -361,8 +361,17 @@ BOOST_AUTO_TEST_CASE(a_start_outside_is_the_path) {
     const auto& bounds = task.si->getStateSpace()->as<ob::SE3StateSpace>()->getBounds();
     task.definition->addStartState(task.at({bounds.high[0], bounds.high[1], bounds.high[2]}));
     BOOST_REQUIRE(task.definition->getGoal()->isSatisfied(task.definition->getStartState(0)));
-    BOOST_TEST((task.planner<TwistSearch>()->solve(after(100)) == ob::PlannerStatus::EXACT_SOLUTION));
+    const auto planner = task.planner<TwistSearch>();
+    BOOST_TEST((planner->solve(after(100)) == ob::PlannerStatus::EXACT_SOLUTION));
     BOOST_TEST(task.solution().size() == 1u);
+    // The path of another problem begins at its own start.
+    const auto other = std::make_shared<ob::ProblemDefinition>(task.si);
+    other->addStartState(task.at(Vector3::Zero()));
+    other->setGoal(task.definition->getGoal());
+    planner->setProblemDefinition(other);
+    BOOST_REQUIRE((planner->solve(after(20000)) == ob::PlannerStatus::EXACT_SOLUTION));
+    const auto& path = *other->getSolutionPath()->as<og::PathGeometric>();
+    BOOST_TEST(task.si->equalStates(path.getState(0), other->getStartState(0)));
 }
 
 BOOST_AUTO_TEST_CASE(all_motions_of_the_planner_data_are_valid) {
