@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "clearway/model.h"
 #include "mesh/topology.h"
@@ -82,7 +83,7 @@ void checkSwept(const Mesh& part, const std::vector<RigidMotion>& motions, doubl
 BOOST_AUTO_TEST_CASE(a_swept_volume_holds_all_places_and_little_else) {
     const Pose start{Matrix3::Identity(), {1, 2, 3}};
     checkSwept(box({1, 0.5, 0.25}), {{start, {3, 0, 0}, {0, 0, 0}}}, 0.2);
-    checkSwept(box({1, 0.5, 0.25}), {{start, {0, 0, 0}, {0, 0, 2}}}, 0.2);
+    checkSwept(translated(box({1, 0.5, 0.25}), {2, 0, 0}), {{start, {0, 0, 0}, {0, 0, 2}}}, 0.2);
     Random random(3);
     const Pose turned{random.rotation(), {-2, 0, 1}};
     const RigidMotion first{turned, {1, 2, 0}, {0.3, -1, 2}};
@@ -94,6 +95,30 @@ BOOST_AUTO_TEST_CASE(open_parts_sweep_a_layer_around_their_surface) {
     Mesh sheet = box({1, 1, 0.2});
     sheet.triangles.resize(10);
     checkSwept(sheet, {{{}, {1, 0, 0}, {0, 0, 0.5}}}, 0.2);
+}
+
+/// A triangle that cuts a corner of the hole may be near the part at one of its own corners and too far from it elsewhere.
+BOOST_AUTO_TEST_CASE(all_of_a_surface_in_a_narrow_hole_is_near_the_part) {
+    Mesh part;
+    for (const double side : {-1.0, 1.0}) {
+        part = joined(part, translated(box({0.8, 2.5, 3}), {side * 1.7, 0, 0}));
+        part = joined(part, translated(box({0.9, 0.8, 3}), {0, side * 1.7, 0}));
+    }
+    Random random(2);
+    const Pose place{random.rotation(), {0, 0, 0}};
+    SweptVolumeOptions options;
+    options.tolerance = 0.5;
+    const Mesh swept = sweptVolume(part, {{place, {0, 0, 0}, {0, 0, 0}}}, options);
+    const Model model = Model::build(part);
+    double most = 0;
+    for (const auto& [a, b, c] : swept.triangles) {
+        for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) {
+            if (from > to) continue;
+            const Vector3 middle = 0.5 * (swept.vertices[from] + swept.vertices[to]);
+            most = std::max(most, distanceTo(model, place, middle));
+        }
+    }
+    BOOST_TEST(most <= options.tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(only_rooms_that_the_part_never_enters_are_cavities) {
