@@ -26,11 +26,12 @@ constexpr const char* kUsage = R"(demo_disassemble ASSEMBLY OUT [SECONDS [NAME..
 Takes an assembly apart, part by part. Tries small parts first, and the largest one only while no other comes out.
 
   ASSEMBLY  a mesh file of several parts in assembled places, or a folder of mesh files
-  OUT       a folder: gets a problem and a certified path for each part that comes out, order.csv with the table,
+  OUT       a folder: gets a problem and a certified path for each part that comes out, disassembly.csv with the table,
             and disassembly.glb, in which the parts move one after the other
   SECONDS   the most time for one try of a part (20)
   NAME      a part that stays in place, or several: * and ? stand for any text and any character
 
+Clearances are certified; where overlaps are allowed, they are how much farther the part may move until they are used up.
 The exit code is 1 when parts stay that should not.
 )";
 constexpr double kFirstSeconds = 0.5;  // for each part; most come out at once
@@ -229,6 +230,10 @@ WayOut planWayOut(const Assembly& assembly, const std::string& name, double seco
 bool moveOut(Assembly& assembly, const std::string& part, double seconds, Disassembly& all) try {
     std::fprintf(stderr, "trying %s for %g s\n", part.c_str(), seconds);
     const WayOut way = planWayOut(assembly, part, seconds);
+    if (way.report.outcome == cp::PlanReport::Outcome::kStopped) {
+        all.held[part] = {0, {}, "interrupted"};
+        return false;
+    }
     if (way.report.outcome != cp::PlanReport::Outcome::kFound) {
         all.held[part] = whatHolds(way.report, assembly, assembly.parts.at(part), seconds);
         return false;
@@ -309,7 +314,7 @@ void tell(const std::vector<Row>& rows, const std::string& file) {
 /// Removes what an earlier run left, so that the folder holds one order.
 void clear(const std::string& folder) {
     std::filesystem::create_directories(folder);
-    const std::regex ours(R"(\d{3,}_.*\.(cfg|path)|disassembly\.glb|order\.csv)");
+    const std::regex ours(R"(\d{3,}_.*\.(cfg|path)|disassembly\.(glb|csv))");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (std::regex_match(entry.path().filename().string(), ours)) old.push_back(entry.path());
@@ -334,7 +339,7 @@ int main(int argc, char** argv) try {
     std::signal(SIGINT, [](int) { isStopped = 1; });  // ends the search; what is out stays
     takeApart(assembly, most, all);
     addRest(assembly, all);
-    tell(all.rows, all.folder + "/order.csv");
+    tell(all.rows, all.folder + "/disassembly.csv");
     std::cout << all.moves.size() << " of " << assembly.parts.size()
               << " parts came out one after the other, in " << all.seconds() << " s\n";
     const clearway::Problem& whole = assembly.whole;

@@ -45,8 +45,8 @@ struct ObstacleGroups {
     Box environmentBox() const;  ///< box of all groups and ignoredBox: where a problem's bounds come from
 };
 
-/// Puts each component of the files into one group, or among the ignored ones. margin: for components that no
-/// rule names. Throws ArgumentError if a rule matches no obstacle (and lists the obstacles) or is
+/// Puts each component of the files that has triangles into one group, or among the ignored ones. margin: for components that no
+/// rule names. Throws ArgumentError if a file's components do not cover its triangles in order, if a rule matches no obstacle (and lists the obstacles) or is
 /// ambiguous between files, if a margin or an overlap is negative, not finite or contradicts another rule, if an
 /// obstacle has both above 0, or if a solid encloses nothing (and says why).
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules);

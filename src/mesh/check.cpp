@@ -151,6 +151,8 @@ std::string inFile(const Mesh& mesh) {
     return mesh.origin.file.empty() ? std::string() : " in '" + mesh.origin.file + "'";
 }
 
+}  // namespace
+
 void requireComponents(const Mesh& mesh) {
     if (mesh.components.empty()) return;
     std::uint64_t expectedFirst = 0;
@@ -168,6 +170,8 @@ void requireComponents(const Mesh& mesh) {
                                         inFile(mesh), expectedFirst, mesh.triangles.size()));
     }
 }
+
+namespace {
 
 bool hasArea(const Mesh& mesh, const Component& component) {
     for (std::size_t i = 0; i < component.triangleCount; ++i) {

@@ -25,6 +25,9 @@ void requireReadableMeshFile(const std::string& file);
 /// "triangle 17 of component 'bracket' in 'engine.stl'", as far as component and file are known.
 std::string nameOfTriangle(const Mesh& mesh, std::size_t triangle);
 
+/// Throws ArgumentError when the mesh's components are not consecutive runs that cover the triangles in order.
+void requireComponents(const Mesh& mesh);
+
 /// Throws ArgumentError when the mesh has no triangle, its components are not consecutive runs that
 /// cover the triangles in order, or a triangle refers to a vertex that does not exist or is not finite (the
 /// first such triangle is named).

@@ -10,6 +10,7 @@
 #include "clearway/errors.h"
 #include "core/number.h"
 #include "core/text.h"
+#include "mesh/check.h"
 #include "mesh/components.h"
 #include "model/obstacle_names.h"
 #include "model/solids.h"
@@ -214,6 +215,7 @@ Box ObstacleGroups::environmentBox() const {
 }
 
 ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, const ObstacleRules& rules) {
+    for (const Mesh& file : files) requireComponents(file);  // a triangle outside of them would be lost
     const ObstacleNames names(files);
     Rules applied(names, margin, rules.overlap.common);
     applied.apply(rules);
@@ -224,7 +226,7 @@ ObstacleGroups groupObstacles(const std::vector<Mesh>& files, double margin, con
     ObstacleGroups result;
     const std::vector<Component> components = componentsOf(all);
     for (std::size_t i = 0; i < components.size(); ++i) {
-        if (components[i].triangleCount == 0) continue;  // a part that moves is no obstacle
+        if (components[i].triangleCount == 0) continue;  // it moves, as the part or with it
         const Treatment& treatment = applied.treatments()[i];
         if (treatment.isIgnored) result.ignored.push_back(names.components()[i].name);
         (treatment.isIgnored ? ignored : members[treatment.key()]).push_back(i);

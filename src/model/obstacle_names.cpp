@@ -4,8 +4,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -126,7 +128,13 @@ std::vector<std::size_t> ObstacleNames::filesCalled(const std::string& name) con
 }
 
 std::string ObstacleNames::insteadOf(const std::string& rule, const std::string& name) const {
-    if (rule == "--part" && name.find(',') != std::string::npos)
+    std::vector<std::string> pieces;
+    boost::split(pieces, name, boost::is_any_of(","));
+    const auto isName = [&](const std::string& piece) {
+        return std::any_of(components_.begin(), components_.end(),
+                           [&](const Component& component) { return component.bare == piece; });
+    };
+    if (rule == "--part" && pieces.size() > 1 && std::all_of(pieces.begin(), pieces.end(), isName))
         return " (for several parts repeat " + rule + ")";
     std::vector<std::string> same, near;
     for (const Component& component : components_) {

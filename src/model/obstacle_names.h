@@ -22,7 +22,7 @@ class ObstacleNames {
     const std::vector<Component>& components() const { return components_; }
 
     /// The components that a name stands for, in order. rule: the rule that has the name, such as "ignore",
-    /// for messages. Throws ArgumentError when the name stands for no component, and lists all names, the nearest ones first;
+    /// for messages. Throws ArgumentError when the name stands for no component, suggests the nearest ones, and lists the names;
     /// or when it is ambiguous, and lists the possible ones.
     std::vector<std::size_t> find(const std::string& rule, const std::string& name) const;
 

@@ -72,7 +72,9 @@ ConfigFile readConfigFile(const std::string& file) {
     std::string prefix;
     int number = 0;
     const char* const expected = "a problem file (.cfg), which clearway init makes of mesh files";
-    if (const std::string word = shapeFileWord(file); !word.empty() && std::filesystem::exists(file))
+    std::error_code isUnknown;
+    if (const std::string word = shapeFileWord(file);
+        !word.empty() && std::filesystem::exists(file, isUnknown))
         throw ArgumentError("'" + file + "' is " + word + ", expected " + expected);
     for (const std::string& whole : readLines(file, expected)) {
         ++number;

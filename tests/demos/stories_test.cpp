@@ -227,11 +227,11 @@ BOOST_AUTO_TEST_CASE(disassemble_writes_paths_that_hold_among_the_parts_still_th
     const std::string program = CLEARWAY_DEMOS "/demo_disassemble ";
     const std::string kept = tell(folder, "disassemble", words + "20 'u*r'").out;
     BOOST_TEST(holds(kept, "2 of 3 parts came out one after the other"), kept);
-    BOOST_TEST(numbers(readText(folder.file("apart/order.csv")),
+    BOOST_TEST(numbers(readText(folder.file("apart/disassembly.csv")),
                        "\"([12])\",\"lower\",[^]*\n\"\",\"upper\",[^\n]*\"stays\"")[0] >= 1);
     const std::string apart = tell(folder, "disassemble", words).out;
     BOOST_TEST(holds(apart, "2 of 3 parts came out one after the other"), apart);
-    const std::string order = readText(folder.file("apart/order.csv"));
+    const std::string order = readText(folder.file("apart/disassembly.csv"));
     const std::vector<double> upper = numbers(order, "\"[12]\",\"upper\",\"" + kNumber + "\",\"" + kNumber +
                                                          "\",\"" + kNumber + "\",\"no contact\"");
     BOOST_TEST(upper[2] > 0);

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 
+#include "clearway/errors.h"
 #include "support/random_meshes.h"
 #include "support/winding.h"
 #include "support/words.h"
@@ -233,6 +234,14 @@ BOOST_AUTO_TEST_CASE(the_window_of_data_is_made_of_closed_boxes_that_face_outwar
         BOOST_TEST(groups.hasSolids(), name);
         BOOST_TEST(groups.notes.empty(), name);
     }
+}
+
+BOOST_AUTO_TEST_CASE(no_triangle_of_a_file_is_lost) {
+    Mesh mesh = file("car.glb", {"door", "floor"});
+    mesh.components[1].triangleCount = 0;
+    BOOST_CHECK_THROW(groupObstacles({mesh}, 0, {}), ArgumentError);
+    mesh.components[1].firstTriangle = 0;
+    BOOST_CHECK_THROW(groupObstacles({mesh}, 0, {}), ArgumentError);
 }
 
 BOOST_AUTO_TEST_CASE(obstacles_are_grouped_by_overlap_and_made_solid) {

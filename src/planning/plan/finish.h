@@ -39,7 +39,7 @@ ompl::geometric::PathGeometric pathOf(const PlanSetup& setup, const ompl::base::
 /// path that costs more is dropped, and a path found for its least clearance is shortened by motions that keep that
 /// clearance.
 ///
-/// kept: a clearance that all motions of the path keep; the finished path's motions keep it too.
+/// kept: a clearance that all motions of the path keep; the finished path's motions keep it too, unless setup.isStopped().
 PathAudit finish(const PlanSetup& setup, ompl::geometric::PathGeometric& path,
                  const std::function<bool()>& isSpent, double kept = 0);
 

@@ -219,6 +219,9 @@ void describeSolution(const PlanSetup& setup, const Problem& problem, const Plan
     report.audit = finish(
         setup, path, [&] { return budget.isOutOfTime(); }, kept);
     if (cutOutside(setup, path)) report.audit = audit(path, *setup.auditor);
+    if (report.widening &&
+        report.audit.isValid())  // after an interrupt nobody made sure that shortening kept it
+        report.widening->after = std::min(report.widening->after, report.audit.upperClearance);
     if (std::isinf(report.audit.lowerClearance))
         report.widening.reset();  // there is nothing to keep clear of
     take(setup, problem, path, report);

@@ -189,7 +189,7 @@ std::optional<PartPair> pairOf(AssembledPart& a, AssembledPart& b, double near, 
 
 std::string mostDepth(const PartPair& pair) {
     return pair.depth ? ", at most " + shownLength(pair.depth->upper) + " deep"
-                      : "; both are open, so no depth is known";
+                      : "; neither is a solid, so no depth is known";
 }
 
 std::string pairRow(const PartPair& pair) {

@@ -49,8 +49,9 @@ class EnclosureNotes {
         }
         if (inside.empty()) return "";
         return listed(inside, kMostNamed) + (inside.size() == 1 ? " is" : " are") +
-               " inside the part, a closed surface, so that no path leads out; ignore = " + written(inside) +
-               " in [clearway] leaves " + (inside.size() == 1 ? "it" : "them") + " out";
+               " inside the part, a closed surface, which no path changes; for what moves with the part, "
+               "write ignore = " +
+               written(inside) + " in [clearway]";
     }
 
   private:

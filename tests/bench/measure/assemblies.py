@@ -43,7 +43,7 @@ def assemblies(place, row):
     kinds = [pair["kind"] for pair in facts["pairs"]]
     components = (facts.get("assembly") or facts["mesh"])["components"]
     seconds, _ = timed([place.program("demo_disassemble"), file, place.scratch / "apart", LIMIT[place.form]], (0, 1))
-    with open(place.scratch / "apart/order.csv", newline="") as order:
+    with open(place.scratch / "apart/disassembly.csv", newline="") as order:
         after = [row["seconds"] for row in csv.DictReader(order) if row["order"]]
     made = {"assembly": row, "parts": len(components), "triangles": sum(component["triangles"] for component in components),
             "overlaps": kinds.count("overlap"), "contacts": kinds.count("contact"), "load_seconds": f"{load_seconds:.3g}",

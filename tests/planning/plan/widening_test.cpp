@@ -57,12 +57,15 @@ BOOST_AUTO_TEST_CASE(after_an_interrupt_hardly_anything_is_asked) {
         });
     };
     BOOST_TEST(ofWidening(true) < ofWidening(false));
+    const PathAudit audited = audit(path, *setup.auditor);
+    const double kept = 0.5 * (audited.lowerClearance + audited.upperClearance);
+    BOOST_TEST_REQUIRE(kept > audited.lowerClearance);
     auto finished = path;
     const auto queries = queriesOf([&] {
         const PathAudit found = finish(
-            setup, finished, [] { return true; }, 0.1);
+            setup, finished, [] { return true; }, kept);
         BOOST_TEST(found.isValid());
-        BOOST_TEST(found.lowerClearance >= 0.1);
+        BOOST_TEST(found.lowerClearance == kept);
     });
     BOOST_TEST(queries == queriesOf([&] { audit(path, *setup.auditor); }));
 }

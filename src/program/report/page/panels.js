@@ -101,8 +101,8 @@ class ObstacleList {
   note(listed) {
     if (!listed) return '';
     const margin = data.measure === 'slack' ? 'see below' : data.margin > 0 ? 'distance less margin' : 'distance';
-    return `Least ${data.measure} (${margin}) at the ${frames.length} places of the slider, a lower bound for each of them. ` +
-      'Between these places only the shaded profile is certified.' +
+    return `Least ${data.measure} (${margin}) at the ${frames.length} places of the slider, a lower bound for each of them.` +
+      (data.certified.length ? ' Between these places only the shaded profile is certified.' : '') +
       (listed < objects.length ? ` Listed are the ${listed} nearest of ${objects.length} obstacles.` : '');
   }
 
