@@ -28,12 +28,12 @@ def sources(results):
 
 
 def new(results):
-    """The problems that `benchmarks public` has not measured yet, and the figures that their manifests have."""
+    """The problems with published times, and those that `benchmarks public` has not measured yet, with the figures of their manifests."""
     measured = distinct(results.rows("public/runs"), "problem")
     return table(["problem", "published", "best seconds", "largest clearance"],
                  [[problem["name"], problem.get("published", ""), *(shown(problem[key]) if key in problem else "" for key in ("seconds", "clearance"))]
                   for _, manifest in manifests() for problem in manifest.get("problems", [])
-                  if problem["name"] not in measured and not {"config", "paths"} <= set(problem)])
+                  if "published" in problem or problem["name"] not in measured and not {"config", "paths"} <= set(problem)])
 
 
 def count(rows, column="valid"):
@@ -60,13 +60,14 @@ def runs(results):
         lines.append(
             [problem, count(ours), median_with_range([float(r["seconds"]) for r in ours], seconds)]
             + [median_with_range([float(r["clearance"]) for r in solved])]
-            + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others)]
-            + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid"]
+            + [" / ".join(str(sum(r["valid"] == "1" for r in of[name])) for name in others if of[name])]
+            + [f"{sum(r['found'] == '1' for r in of[FCL])} found, {sum(r['valid'] == '1' for r in of[FCL])} valid" if of[FCL] else ""]
         )
     fcl = matching(rows, contender=FCL, found="1")
     hits = sum(float(row["colliding_by_oracle"] or 0) > 0 for row in fcl if row["valid"] != "1")
+    compared = distinct(matching(rows, contender=others[0]), "problem")
     any_seed = [len(distinct(matching(rows, contender=name, valid="1"), "problem")) for name in (OURS, *others)]
-    lines.append(["with any seed", f"{any_seed[0]} of {len(problems)}", "", "", " / ".join(map(str, any_seed[1:])),
+    lines.append(["with any seed", f"{any_seed[0]} of {len(problems)}", "", "", f"{' / '.join(map(str, any_seed[1:]))} of {len(compared)}",
                   f"{len(fcl)} found, {sum(row['valid'] == '1' for row in fcl)} valid; the oracle's samples hit {hits}"])
     return table(["problem", "solved", "seconds, median (range)", "clearance, median (range)", " / ".join(others), "RRTConnect + FCL"], lines)
 
