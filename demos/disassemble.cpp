@@ -44,8 +44,8 @@ constexpr double kContact =
 constexpr double kBeside = 0.1;            // of the part's diagonal: nearer parts stand next to it
 constexpr double kRoundedDown = 0.999995;  // six digits of so much of a number are not above it
 constexpr double kShownSeconds = 3;        // that a part moves in the animation
-constexpr std::size_t kMostNamed = 3;      // of the parts that hold one
-constexpr std::size_t kLongestName = 100;  // of a part, in the names of files
+constexpr std::size_t kMostNamed = 3;      // parts that hold one, in its note
+constexpr std::size_t kLongestName = 100;  // letters of a part's name in the names of files
 
 volatile std::sig_atomic_t isStopped = 0;
 
@@ -172,7 +172,7 @@ Held whatHolds(const cp::PlanReport& report, const Assembly& assembly, const Par
     return held;
 }
 
-using Row = std::array<std::string, 6>;  // of the table, as text
+using Row = std::array<std::string, 6>;  // the table's cells, as text
 
 /// Parts on their way out, in their order; and the parts that are still held.
 struct Disassembly {
